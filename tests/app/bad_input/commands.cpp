@@ -15,7 +15,7 @@ const std::vector<BadCommand> kCommands = {
     {"unknown verb", {"pusg", "study.ini"},
         "drystone: pusg: unknown verb; did you mean \"push\"?"},
     {"unknown verb like no other", {"simulate", "study.ini"},
-        "drystone: simulate: unknown verb; use push, scene, new, study, status, sample, reliability, fragility, calibrate, report, sheet, choices, compare, surrogate, curves, record, shake, serve, merge, help or version"},
+        "drystone: simulate: unknown verb; use push, scene, new, stones, study, status, sample, reliability, fragility, calibrate, report, sheet, choices, compare, surrogate, curves, record, shake, serve, merge, help or version"},
     {"a new study without a name", {"new"},
         "drystone: new: missing NEW.ini; write \"drystone new house.ini --length \"3 m\" --height \"2.7 m\" --thickness \"0.5 m\" --material roughly_squared --unit \"0.6 x 0.3 m\" --stress \"0.20 MPa\"\""},
     {"a new study that is there", {"new", "study.ini"},

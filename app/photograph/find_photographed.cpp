@@ -1,0 +1,167 @@
+#include "app/photograph/divided_stones.hpp"
+#include "app/photograph/photograph.hpp"
+#include "app/text/number_text.hpp"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace app {
+namespace {
+
+constexpr int kTrialSide = 700; // [pixels]: methods are tried on a smaller picture
+
+/// One guess at the stones.
+struct Trial {
+    StoneMethod method = StoneMethod::best;
+    Stones stones;
+    double score = 0.0;
+};
+
+double score_of(const Shape& shape)
+{
+    constexpr double kLargest = 0.35; // mortar that was taken for stone is one large piece
+    constexpr int kCompact = 6;       // counts more than how much is covered
+    return shape.largest > kLargest ? 0.0 : std::pow(shape.solidity, kCompact) * shape.cover;
+}
+
+/// The best of all guesses.
+struct Trials {
+    Trial best;
+
+    void add(StoneMethod method, const Stoneness& map)
+    {
+        constexpr double kLeast = 0.1, kMost = 0.99; // of the picture can be stone
+        const double share =
+            static_cast<double>(cv::countNonZero(map > 0.0)) / static_cast<double>(map.total());
+        if (share < kLeast || share > kMost) return;
+        const Stones stones = divided(map);
+        const double score = score_of(shape_of(stones, map));
+        if (score > best.score) best = {method, stones, score};
+    }
+
+    /// As it is, and with the mortar by its colour.
+    void add_both(StoneMethod method, const cv::Mat& lab, const Stoneness& map)
+    {
+        add(method, map);
+        add(method, by_mortar(lab, map));
+    }
+};
+
+Trial best_trial(const cv::Mat& lab, StoneMethod method)
+{
+    const auto wanted = [&](StoneMethod m) {
+        return method == m || method == StoneMethod::best;
+    };
+    Trials trials;
+    if (wanted(StoneMethod::threshold))
+        for (const bool local : {false, true}) {
+            const Stoneness map = by_threshold(lab, local);
+            trials.add_both(StoneMethod::threshold, lab, map);
+            trials.add_both(StoneMethod::threshold, lab, -map);
+        }
+    if (wanted(StoneMethod::kmeans))
+        for (const int clusters : {3, 5})
+            for (const Stoneness& map : by_clusters(lab, clusters))
+                trials.add_both(StoneMethod::kmeans, lab, map);
+    if (wanted(StoneMethod::watershed))
+        for (const bool dark : {true, false})
+            trials.add(StoneMethod::watershed, by_lines(lab, dark));
+    return trials.best;
+}
+
+cv::Mat at_most(const cv::Mat& image, int longest)
+{
+    const double scale = static_cast<double>(longest) / std::max(image.rows, image.cols);
+    cv::Mat small = image;
+    if (scale < 1.0) cv::resize(image, small, {}, scale, scale, cv::INTER_AREA);
+    return small;
+}
+
+/// Pixels near the colour of openings, but for single ones.
+cv::Mat openings_of(const cv::Mat& bgr)
+{
+    constexpr int kNear = 80; // of 255, for each colour
+    const cv::Scalar colour(kOpeningColour & 255, kOpeningColour >> 8 & 255,
+                            kOpeningColour >> 16);
+    cv::Mat mask;
+    cv::inRange(bgr, colour - cv::Scalar::all(kNear), colour + cv::Scalar::all(kNear), mask);
+    cv::morphologyEx(mask, mask, cv::MORPH_OPEN, cv::Mat::ones(5, 5, CV_8U));
+    return mask;
+}
+
+/// @throws ConfigError
+void check_wall(const DrawingFrame& frame, const Stones& stones, const Shape& shape)
+{
+    constexpr int kFewest = 4;
+    constexpr double kSolidity =
+        0.87;                      // of walls 0.92 and more, of people and grass 0.85 and less
+    constexpr double kCover = 0.3; // as of a painted picture
+    if (stones.count >= kFewest && shape.solidity >= kSolidity && shape.cover >= kCover) return;
+    refuse(
+        frame, 0,
+        "shows no stones that differ from their mortar (the best guess: " +
+            counted(static_cast<std::size_t>(stones.count), "piece", "pieces") + ", " +
+            fixed(shape.solidity, 2) + " as compact as their hulls, " +
+            fixed(100.0 * shape.cover, 0) +
+            " % of the picture); cut it to the wall and take it in even light, or write "
+            "--method threshold, kmeans or watershed to have a guess and correct it by hand");
+}
+
+Picture as_picture(const cv::Mat& bgr)
+{
+    Picture picture{bgr.cols, bgr.rows, std::vector<std::uint8_t>(4 * bgr.total())};
+    cv::Mat rgba(bgr.size(), CV_8UC4, picture.rgba.data());
+    cv::cvtColor(bgr, rgba, cv::COLOR_BGR2RGBA);
+    return picture;
+}
+
+/// A picture in which each stone has a colour of its own, read as a user's own is.
+Labels as_labels(const Stones& stones, const cv::Mat& openings)
+{
+    Labels labels{stones.label.cols, stones.label.rows, 0, {}, {}};
+    labels.label.assign(stones.label.total(), kMortar);
+    cv::Mat opening_label;
+    const int windows = cv::connectedComponents(openings, opening_label, 4) - 1;
+    std::vector<int> number(static_cast<std::size_t>(stones.count) + 1 + windows, kMortar);
+    for (std::size_t p = 0; p < labels.label.size(); ++p) {
+        const int window = opening_label.ptr<int>()[p], stone = stones.label.ptr<int>()[p];
+        if (window == 0 && stone == 0) continue;
+        int& n = number[window != 0 ? stones.count + window : stone];
+        if (n == kMortar) {
+            n = labels.stones++;
+            labels.is_opening.push_back(window != 0 ? 1 : 0);
+        }
+        labels.label[p] = n;
+    }
+    return labels;
+}
+
+} // namespace
+
+FoundStones find_photographed(const DrawingFrame& frame, const Picture& picture,
+                              StoneMethod method)
+{
+    cv::Mat bgr;
+    cv::cvtColor(cv::Mat(picture.rows, picture.columns, CV_8UC4,
+                         const_cast<std::uint8_t*>(picture.rgba.data())),
+                 bgr, cv::COLOR_RGBA2BGR);
+    bgr = at_most(bgr, kLongestSide);
+    FoundStones found;
+    found.photograph = as_picture(bgr);
+    const cv::Mat openings = openings_of(bgr);
+    bgr.setTo(cv::mean(bgr, ~openings), openings); // a colour that says nothing
+    const Trial trial = best_trial(quiet_colours(at_most(bgr, kTrialSide)), method);
+    if (trial.stones.count == 0) check_wall(frame, {}, {});
+    const Stones stones = at_half_way(quiet_colours(bgr), trial.stones);
+    const Shape shape = shape_of(stones, cv::Mat::ones(bgr.size(), CV_32F));
+    if (method == StoneMethod::best) check_wall(frame, stones, shape);
+    found.method = trial.method;
+    found.solidity = shape.solidity;
+    found.labels = as_labels(stones, openings);
+    return found;
+}
+
+} // namespace app
