@@ -22,6 +22,7 @@ if(DRYSTONE_HAS_PHOTOGRAPHS)
         photograph/divided_stones.cpp
         photograph/exif_turn.cpp
         photograph/find_photographed.cpp
+        photograph/half_way.cpp
         photograph/mortar_maps.cpp
         photograph/read_jpeg.cpp)
     set_target_properties(drystone_app_stones PROPERTIES UNITY_BUILD ON)

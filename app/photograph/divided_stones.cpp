@@ -119,7 +119,19 @@ Outline largest_outline(const cv::Mat& mask, cv::Point corner)
     return largest == outlines.end() ? Outline() : *largest;
 }
 
-/// Whole stones without holes; the small among them are dirt.
+/// Holes with fewer pixels are filled.
+void fill_holes(cv::Mat& mask, double pixels)
+{
+    cv::Mat label, facts, centres;
+    cv::connectedComponentsWithStats(~mask, label, facts, centres, 4);
+    for (int r = 0; r < mask.rows; ++r)
+        for (int c = 0; c < mask.cols; ++c)
+            if (facts.at<int>(label.at<int>(r, c), cv::CC_STAT_AREA) < pixels)
+                mask.at<uchar>(r, c) = 255;
+}
+
+} // namespace
+
 Stones clean(const Stones& stones)
 {
     constexpr double kDirt = 0.02; // of the mean area
@@ -143,7 +155,6 @@ Stones clean(const Stones& stones)
     return cleaned;
 }
 
-/// Each pixel of a mask goes to the nearest stone.
 Stones grown(const Stones& stones, const cv::Mat& within)
 {
     cv::Mat distance, nearest;
@@ -161,35 +172,6 @@ Stones grown(const Stones& stones, const cv::Mat& within)
     return result;
 }
 
-/// Holes with fewer pixels are filled.
-void fill_holes(cv::Mat& mask, double pixels)
-{
-    cv::Mat label, facts, centres;
-    cv::connectedComponentsWithStats(~mask, label, facts, centres, 4);
-    for (int r = 0; r < mask.rows; ++r)
-        for (int c = 0; c < mask.cols; ++c)
-            if (facts.at<int>(label.at<int>(r, c), cv::CC_STAT_AREA) < pixels)
-                mask.at<uchar>(r, c) = 255;
-}
-
-/// The mean colour of each label within a mask; nothing where it has too few pixels.
-std::vector<cv::Vec4f> mean_colours(const cv::Mat& lab, const Stones& stones,
-                                    const cv::Mat& within)
-{
-    constexpr float kLeastPixels = 10.0F;
-    std::vector<cv::Vec4f> sum(static_cast<std::size_t>(stones.count) + 1);
-    for (int r = 0; r < lab.rows; ++r)
-        for (int c = 0; c < lab.cols; ++c) {
-            if (within.at<uchar>(r, c) == 0) continue;
-            const cv::Vec3f& colour = lab.at<cv::Vec3f>(r, c);
-            sum[stones.label.at<int>(r, c)] += cv::Vec4f(colour[0], colour[1], colour[2], 1.0F);
-        }
-    for (cv::Vec4f& s : sum) s = s[3] < kLeastPixels ? cv::Vec4f() : s * (1.0F / s[3]);
-    return sum;
-}
-
-} // namespace
-
 Stones divided(const Stoneness& map)
 {
     constexpr double kCore = 0.3;   // of the map: surely stone
@@ -204,35 +186,6 @@ Stones divided(const Stoneness& map)
     cv::distanceTransform(core, half, cv::DIST_L2, 5);
     const Stones stones = clean(basins_of(half));
     return stones.count == 0 ? stones : clean(grown(stones, map > 0.0));
-}
-
-Stones at_half_way(const cv::Mat& lab, const Stones& stones)
-{
-    constexpr int kReach = 4; // [pixels] that a border moves at most
-    Stones large{{}, stones.count};
-    cv::resize(stones.label, large.label, lab.size(), 0, 0, cv::INTER_NEAREST);
-    const cv::Mat mask = large.label != 0;
-    cv::Mat mortar, inner, reach;
-    cv::erode(~mask, mortar, ellipse(2 * kReach - 1));
-    cv::erode(mask, inner, ellipse(2 * kReach - 1));
-    cv::dilate(mask, reach, ellipse(2 * kReach + 1));
-    const cv::Mat ground = surface_of(lab, mortar);
-    const std::vector<cv::Vec4f> colours = mean_colours(lab, large, inner);
-    Stones moved = grown(large, reach);
-    for (int r = 0; r < lab.rows; ++r)
-        for (int c = 0; c < lab.cols; ++c) {
-            int& label = moved.label.at<int>(r, c);
-            if (label == 0 || inner.at<uchar>(r, c) != 0) continue;
-            const cv::Vec4f& stone = colours[label];
-            const cv::Vec3f base = ground.at<cv::Vec3f>(r, c),
-                            full = cv::Vec3f(stone[0], stone[1], stone[2]) - base;
-            const bool is_stone =
-                stone[3] == 0.0F // too small to have a colour of its own
-                    ? large.label.at<int>(r, c) != 0
-                    : (lab.at<cv::Vec3f>(r, c) - base).dot(full) > 0.5F * full.dot(full);
-            if (!is_stone) label = 0;
-        }
-    return clean(moved);
 }
 
 Shape shape_of(const Stones& stones, const Stoneness& map)

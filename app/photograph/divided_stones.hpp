@@ -11,11 +11,17 @@ struct Stones {
     int count = 0;
 };
 
+/// Whole stones without holes and hairs; the narrow and the very small are dirt.
+[[nodiscard]] Stones clean(const Stones& stones);
+
+/// Each pixel of a mask goes to the nearest stone.
+[[nodiscard]] Stones grown(const Stones& stones, const cv::Mat& within);
+
 /// The pieces of a map, divided where they are narrow and along lines of mortar, without dirt.
 [[nodiscard]] Stones divided(const Stoneness& map);
 
 /// The same stones on a larger picture, each border where the colour is halfway between that of
-/// its stone and that of the mortar.
+/// its stone and that of the mortar. Stones that were divided where no mortar is are one again.
 /// @param lab of the larger picture
 [[nodiscard]] Stones at_half_way(const cv::Mat& lab, const Stones& stones);
 

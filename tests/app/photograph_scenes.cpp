@@ -47,14 +47,16 @@ void erode(app::Labels& labels)
 /// A mean over 2 n + 1 pixels along rows, then along columns, three times: nearly a bell.
 void blur(std::vector<double>& values, double sigma)
 {
-    const int n = static_cast<int>(std::lround(0.5 * (std::sqrt(4.0 * sigma * sigma + 1.0) - 1.0)));
+    const int n =
+        static_cast<int>(std::lround(0.5 * (std::sqrt(4.0 * sigma * sigma + 1.0) - 1.0)));
     for (int round = 0; n > 0 && round < 6; ++round) {
         const std::vector<double> before = values;
         for (int row = 0; row < kRows; ++row)
             for (int column = 0; column < kColumns; ++column) {
                 double sum = 0.0;
                 for (int k = -n; k <= n; ++k) {
-                    const int x = std::clamp(column + (round % 2 == 0 ? k : 0), 0, kColumns - 1),
+                    const int x = std::clamp(column + (round % 2 == 0 ? k : 0), 0,
+                                             kColumns - 1),
                               y = std::clamp(row + (round % 2 == 0 ? 0 : k), 0, kRows - 1);
                     sum += before[static_cast<std::size_t>(y * kColumns + x)];
                 }
@@ -77,11 +79,13 @@ struct Normal {
 
 app::Labels rubble_truth()
 {
-    app::Labels truth{kColumns, kRows, 0, std::vector<int>(std::size_t{kColumns} * kRows, app::kMortar), {}};
+    app::Labels truth{
+        kColumns, kRows, 0, std::vector<int>(std::size_t{kColumns} * kRows, app::kMortar), {}};
     for (const dem::DrawnUnit& unit : rubble_units()) {
         for (int row = 0; row < kRows; ++row)
             for (int column = 0; column < kColumns; ++column)
-                if (dem::is_inside(unit.outline, {(column + 0.5) / kColumns, 1.0 - (row + 0.5) / kRows}))
+                if (dem::is_inside(unit.outline,
+                                   {(column + 0.5) / kColumns, 1.0 - (row + 0.5) / kRows}))
                     truth.label[truth.pixel(column, row)] = truth.stones;
         ++truth.stones;
     }
@@ -95,7 +99,8 @@ app::Picture photograph_of(const app::Labels& truth, const Look& look)
     Normal normal;
     std::vector<double> brighter;
     for (int s = 0; s < truth.stones; ++s) brighter.push_back(look.spread * normal());
-    app::Picture picture{kColumns, kRows, std::vector<std::uint8_t>(4 * truth.label.size(), 255)};
+    app::Picture picture{kColumns, kRows,
+                         std::vector<std::uint8_t>(4 * truth.label.size(), 255)};
     for (std::size_t channel = 0; channel < 3; ++channel) {
         std::vector<double> values;
         for (const int l : truth.label)
@@ -104,8 +109,10 @@ app::Picture photograph_of(const app::Labels& truth, const Look& look)
         blur(values, look.blur);
         for (std::size_t p = 0; p < values.size(); ++p) {
             const double right = static_cast<double>(p % kColumns) / kColumns;
-            const double value = values[p] * (look.dark + (1.0 - look.dark) * right) + look.noise * normal();
-            picture.rgba[4 * p + channel] = static_cast<std::uint8_t>(std::clamp(value, 0.0, 255.0));
+            const double value =
+                values[p] * (look.dark + (1.0 - look.dark) * right) + look.noise * normal();
+            picture.rgba[4 * p + channel] =
+                static_cast<std::uint8_t>(std::clamp(value, 0.0, 255.0));
         }
     }
     return picture;
@@ -116,7 +123,8 @@ std::string jpeg_of(const app::Picture& picture, int quality)
     tjhandle writer = tjInitCompress();
     unsigned char* bytes = nullptr;
     unsigned long size = 0;
-    tjCompress2(writer, picture.rgba.data(), picture.columns, 0, picture.rows, TJPF_RGBA, &bytes, &size, TJSAMP_420, quality, 0);
+    tjCompress2(writer, picture.rgba.data(), picture.columns, 0, picture.rows, TJPF_RGBA,
+                &bytes, &size, TJSAMP_420, quality, 0);
     const std::string file(reinterpret_cast<const char*>(bytes), size);
     tjFree(bytes);
     tjDestroy(writer);

@@ -17,12 +17,13 @@ using Colour = std::array<double, 3>; ///< red, green, blue, of 255
 struct Look {
     std::string name;
     Colour mortar = {70, 65, 60};
-    std::array<Colour, 4> stones = {{{170, 150, 120}, {185, 165, 140}, {150, 135, 110}, {165, 150, 135}}};
-    double spread = 0.0;  ///< of the brightness of stones, standard deviation, of 255
-    double blur = 0.0;    ///< [pixels]
-    double dark = 1.0;    ///< brightness at the left side beside that at the right
-    double noise = 0.0;   ///< standard deviation, of 255
-    int quality = 90;     ///< of the JPEG file
+    std::array<Colour, 4> stones = {
+        {{170, 150, 120}, {185, 165, 140}, {150, 135, 110}, {165, 150, 135}}};
+    double spread = 0.0; ///< of the brightness of stones, standard deviation, of 255
+    double blur = 0.0;   ///< [pixels]
+    double dark = 1.0;   ///< brightness at the left side beside that at the right
+    double noise = 0.0;  ///< standard deviation, of 255
+    int quality = 90;    ///< of the JPEG file
 };
 
 /// Taken of the stones, the same in every run.

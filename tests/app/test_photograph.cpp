@@ -26,7 +26,8 @@ app::DrawingFrame frame()
     return f;
 }
 
-app::FoundStones found_in(const std::string& jpeg, app::StoneMethod method = app::StoneMethod::best)
+app::FoundStones found_in(const std::string& jpeg,
+                          app::StoneMethod method = app::StoneMethod::best)
 {
     return app::find_photographed(frame(), app::read_jpeg(frame(), jpeg), method);
 }
@@ -64,7 +65,8 @@ std::vector<int> matches(const app::Labels& found)
             ++common[truth().label[p]][found.label[p]];
     std::vector<int> match;
     for (const std::map<int, int>& c : common) {
-        const auto most = std::ranges::max_element(c, {}, [](const auto& n) { return n.second; });
+        const auto most =
+            std::ranges::max_element(c, {}, [](const auto& n) { return n.second; });
         match.push_back(most == c.end() ? app::kMortar : most->first);
     }
     return match;
@@ -107,8 +109,10 @@ TEST_CASE("photograph: every stone of a rubble wall is found, within 5 % of its 
 
 TEST_CASE("photograph: each method finds the stones of an easy picture", "[app][photograph]")
 {
-    const auto method = GENERATE(app::StoneMethod::threshold, app::StoneMethod::kmeans, app::StoneMethod::watershed);
-    const app::FoundStones found = found_in(scenes::jpeg_of(scenes::photograph_of(truth(), {}), 90), method);
+    const auto method = GENERATE(app::StoneMethod::threshold, app::StoneMethod::kmeans,
+                                 app::StoneMethod::watershed);
+    const app::FoundStones found =
+        found_in(scenes::jpeg_of(scenes::photograph_of(truth(), {}), 90), method);
     CHECK(found.method == method);
     CHECK(found.labels.stones == truth().stones);
 }
@@ -117,16 +121,17 @@ TEST_CASE("photograph: the picture of the stones is read as these stones again",
           "[app][photograph]")
 {
     const app::FoundStones found =
-        found_in(scenes::jpeg_of(scenes::photograph_of(truth(), {.noise = 6.0}), 80));
+        found_in(scenes::jpeg_of(scenes::photograph_of(truth(), {.name = "", .noise = 6.0}), 80));
     std::vector<std::string> notes;
-    const app::Labels again = app::find_stones(frame(), app::painted_picture(found.labels), {1.0, 1.0}, 0.0, notes);
+    const app::Labels again =
+        app::find_stones(frame(), app::painted_picture(found.labels), {1.0, 1.0}, 0.0, notes);
     CHECK(again.stones == found.labels.stones);
     CHECK(again.label == found.labels.label);
 }
 
 TEST_CASE("photograph: a magenta area is an opening, before and after", "[app][photograph]")
 {
-    app::Picture picture = scenes::photograph_of(truth(), {.noise = 4.0});
+    app::Picture picture = scenes::photograph_of(truth(), {.name = "", .noise = 4.0});
     for (int row = 200; row < 400; ++row)
         for (int column = 150; column < 300; ++column) {
             std::uint8_t* const p = picture.rgba.data() + 4 * (row * picture.columns + column);
@@ -137,11 +142,13 @@ TEST_CASE("photograph: a magenta area is an opening, before and after", "[app][p
     const app::Labels& labels = found.labels;
     REQUIRE(std::ranges::count(labels.is_opening, 1) == 1);
     const auto opening = std::ranges::find(labels.is_opening, 1) - labels.is_opening.begin();
-    CHECK(areas(labels)[static_cast<std::size_t>(opening)] == Approx(200.0 * 150.0).epsilon(0.03));
+    CHECK(areas(labels)[static_cast<std::size_t>(opening)] ==
+          Approx(200.0 * 150.0).epsilon(0.03));
     const scenes::TemporaryFolder folder;
-    const std::string file = (folder.path() / "stones.png").string();
+    const std::string file = (folder.path / "stones.png").string();
     std::ofstream(file, std::ios::binary) << app::png_of(app::painted_picture(labels));
-    const app::Drawing drawing = app::read_drawing(file, {.width = 1.0, .height = 1.0, .simplify = 0.004});
+    const app::Drawing drawing =
+        app::read_drawing(file, {.width = 1.0, .height = 1.0, .simplify = 0.004});
     double area = 0.0;
     for (const app::DrawnBlock& b : drawing.blocks)
         for (std::size_t i = 0; i < b.outline.size(); ++i) {
@@ -152,16 +159,18 @@ TEST_CASE("photograph: a magenta area is an opening, before and after", "[app][p
     CHECK(static_cast<int>(drawing.blocks.size()) == labels.stones - 1);
 }
 
-TEST_CASE("photograph: pictures without stones are refused with what to do", "[app][photograph]")
+TEST_CASE("photograph: pictures without stones are refused with what to do",
+          "[app][photograph]")
 {
     std::mt19937 random(3);
     app::Picture picture{300, 200, std::vector<std::uint8_t>(4 * 300 * 200, 255)};
     const int kind = GENERATE(0, 1, 2); // noise, one colour, a gradient
     for (std::size_t p = 0; p < picture.rgba.size() / 4; ++p)
         for (std::size_t k = 0; k < 3; ++k)
-            picture.rgba[4 * p + k] = kind == 0   ? static_cast<std::uint8_t>(random() % 256)
-                                      : kind == 1 ? 120
-                                                  : static_cast<std::uint8_t>(p % 300 * 255 / 300);
+            picture.rgba[4 * p + k] = kind == 0 ? static_cast<std::uint8_t>(random() % 256)
+                                      : kind == 1
+                                          ? 120
+                                          : static_cast<std::uint8_t>(p % 300 * 255 / 300);
     INFO(kind);
     const std::string why = refusal(picture);
     CHECK(why.find("wall.jpg: shows no stones that differ from their mortar") == 0);
@@ -175,16 +184,29 @@ TEST_CASE("photograph: EXIF turns it upright", "[app][photograph]")
         for (int column = 0; column < 64; ++column) // the upper left quarter is black
             if (row < 16 && column < 32)
                 std::fill_n(picture.rgba.data() + 4 * (row * 64 + column), 3, std::uint8_t{0});
-    const auto [orientation, x, y] = GENERATE(table<int, int, int>({{1, 0, 0}, {2, 1, 0}, {3, 1, 1}, {4, 0, 1}, {5, 0, 0}, {6, 1, 0}, {7, 1, 1}, {8, 0, 1}}));
+    const auto [orientation, x, y] = GENERATE(table<int, int, int>({{1, 0, 0},
+                                                                    {2, 1, 0},
+                                                                    {3, 1, 1},
+                                                                    {4, 0, 1},
+                                                                    {5, 0, 0},
+                                                                    {6, 1, 0},
+                                                                    {7, 1, 1},
+                                                                    {8, 0, 1}}));
     INFO(orientation);
     std::string jpeg = scenes::jpeg_of(picture, 95);
-    const std::string exif{'\xff', '\xe1', 0, 34, 'E', 'x', 'i', 'f', 0, 0, 'M', 'M', 0, 42, 0, 0, 0, 8, 0, 1, 1, 0x12, 0, 3, 0, 0, 0, 1, 0, static_cast<char>(orientation), 0, 0, 0, 0, 0, 0};
+    const std::string exif{
+        '\xff', '\xe1', 0, 34, 'E', 'x', 'i', 'f', 0, 0,
+        'M',    'M',    0, 42, 0,   0,   0,   8,   0, 1,
+        1,      0x12,   0, 3,  0,   0,   0,   1,   0, static_cast<char>(orientation),
+        0,      0,      0, 0,  0,   0};
     jpeg.insert(2, exif);
     const app::Picture upright = app::read_jpeg(frame(), jpeg);
     CHECK(upright.columns == (orientation < 5 ? 64 : 32));
     CHECK(upright.rows == (orientation < 5 ? 32 : 64));
     const int column = upright.columns / 4 * (2 * x + 1), row = upright.rows / 4 * (2 * y + 1);
-    const auto at = [&](int c, int r) { return int{upright.rgba[4 * static_cast<std::size_t>(r * upright.columns + c)]}; };
+    const auto at = [&](int c, int r) {
+        return int{upright.rgba[4 * static_cast<std::size_t>(r * upright.columns + c)]};
+    };
     CHECK(at(column, row) < 20);
     CHECK(at(upright.columns - 1 - column, row) > 235);
     CHECK(at(column, upright.rows - 1 - row) > 235);
@@ -205,15 +227,23 @@ TEST_CASE("photograph: five hundred broken files are read or refused", "[app][ph
         for (unsigned n = 1 + random() % 4; n > 0; --n) {
             const std::size_t at = random() % bytes.size();
             switch (random() % 4) {
-            case 0: bytes[at] = static_cast<char>(random()); break;
-            case 1: bytes.resize(at + 1); break;
-            case 2: bytes.erase(at, random() % 20); break;
-            default: bytes.insert(at, bytes.substr(random() % bytes.size(), random() % 20));
+            case 0:
+                bytes[at] = static_cast<char>(random());
+                break;
+            case 1:
+                bytes.resize(at + 1);
+                break;
+            case 2:
+                bytes.erase(at, random() % 20);
+                break;
+            default:
+                bytes.insert(at, bytes.substr(random() % bytes.size(), random() % 20));
             }
             if (bytes.empty()) bytes = "x";
         }
         try {
-            const app::FoundStones found = found_in(bytes, static_cast<app::StoneMethod>(i % 4));
+            const app::FoundStones found =
+                found_in(bytes, static_cast<app::StoneMethod>(i % 4));
             CHECK(found.labels.label.size() == found.photograph.rgba.size() / 4);
             ++read;
         } catch (const app::ConfigError& error) {
