@@ -92,7 +92,7 @@ struct Painted {
 [[nodiscard]] double distance_to_stone(const Painted& painted, PixelSize pixel, dem::Point at);
 
 /// Stones grow over the mortar: each pixel goes to the stone nearest to its centre. Each stone
-/// is one piece afterwards, its pixels connected through their sides. Openings stay as they are.
+/// is one piece afterwards, its pixels connected through their sides. Openings do not grow.
 /// @param labels with one stone at least
 [[nodiscard]] Labels grow_stones(Labels labels, PixelSize pixel);
 

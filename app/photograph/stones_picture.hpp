@@ -5,7 +5,7 @@
 
 namespace app {
 
-/// Each stone in a colour of its own, mortar black, openings in theirs: what wall.geometry reads.
+/// Each stone in a colour of its own, mortar black, openings magenta: wall.geometry reads it.
 [[nodiscard]] Picture painted_picture(const Labels& labels);
 
 /// The photograph with the borders of what was found drawn over it.

@@ -120,8 +120,8 @@ TEST_CASE("photograph: each method finds the stones of an easy picture", "[app][
 TEST_CASE("photograph: the picture of the stones is read as these stones again",
           "[app][photograph]")
 {
-    const app::FoundStones found =
-        found_in(scenes::jpeg_of(scenes::photograph_of(truth(), {.name = "", .noise = 6.0}), 80));
+    const app::FoundStones found = found_in(
+        scenes::jpeg_of(scenes::photograph_of(truth(), {.name = "", .noise = 6.0}), 80));
     std::vector<std::string> notes;
     const app::Labels again =
         app::find_stones(frame(), app::painted_picture(found.labels), {1.0, 1.0}, 0.0, notes);
