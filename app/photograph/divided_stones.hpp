@@ -25,6 +25,9 @@ struct Stones {
 /// @param lab of the larger picture
 [[nodiscard]] Stones at_half_way(const cv::Mat& lab, const Stones& stones);
 
+/// By how many times colours change more at the borders of stones than elsewhere.
+[[nodiscard]] double sharpness_of(const cv::Mat& lab, const Stones& stones);
+
 /// How much pieces look like the stones of a wall.
 struct Shape {
     double solidity = 0.0; ///< area over that of the convex hull, mean by area [-]

@@ -93,13 +93,17 @@ cv::Mat openings_of(const cv::Mat& bgr)
 }
 
 /// @throws ConfigError
-void check_wall(const DrawingFrame& frame, const Stones& stones, const Shape& shape)
+void check_wall(const DrawingFrame& frame, const Stones& stones, const Shape& shape,
+                double sharpness)
 {
     constexpr int kFewest = 4;
     constexpr double kSolidity =
         0.87;                      // of walls 0.92 and more, of people and grass 0.85 and less
     constexpr double kCover = 0.3; // as of a painted picture
-    if (stones.count >= kFewest && shape.solidity >= kSolidity && shape.cover >= kCover) return;
+    constexpr double kSharp = 1.5; // of walls 2 and more
+    if (stones.count >= kFewest && shape.solidity >= kSolidity && shape.cover >= kCover &&
+        sharpness >= kSharp)
+        return;
     refuse(
         frame, 0,
         "shows no stones that differ from their mortar (the best guess: " +
@@ -118,23 +122,32 @@ Picture as_picture(const cv::Mat& bgr)
     return picture;
 }
 
-/// A picture in which each stone has a colour of its own, read as a user's own is.
+/// Connected pieces of stones and openings. Around openings their colour runs over a few pixels,
+/// which become mortar.
 Labels as_labels(const Stones& stones, const cv::Mat& openings)
 {
+    constexpr int kRuns = 7, kLeastPixels = 16;
+    constexpr int kOpening = -2; // stones have positive kinds
+    cv::Mat around;
+    cv::dilate(openings, around, cv::Mat::ones(kRuns, kRuns, CV_8U));
     Labels labels{stones.label.cols, stones.label.rows, 0, {}, {}};
     labels.label.assign(stones.label.total(), kMortar);
-    cv::Mat opening_label;
-    const int windows = cv::connectedComponents(openings, opening_label, 4) - 1;
-    std::vector<int> number(static_cast<std::size_t>(stones.count) + 1 + windows, kMortar);
-    for (std::size_t p = 0; p < labels.label.size(); ++p) {
-        const int window = opening_label.ptr<int>()[p], stone = stones.label.ptr<int>()[p];
-        if (window == 0 && stone == 0) continue;
-        int& n = number[window != 0 ? stones.count + window : stone];
-        if (n == kMortar) {
-            n = labels.stones++;
-            labels.is_opening.push_back(window != 0 ? 1 : 0);
-        }
-        labels.label[p] = n;
+    std::vector<int> kind(labels.label.size(), kMortar);
+    for (std::size_t p = 0; p < kind.size(); ++p) {
+        const int stone = stones.label.ptr<int>()[p];
+        if (openings.ptr<uchar>()[p] != 0)
+            kind[p] = kOpening;
+        else if (stone != 0 && around.ptr<uchar>()[p] == 0)
+            kind[p] = stone;
+    }
+    std::vector<char> seen(kind.size());
+    for (std::size_t first = 0; first < kind.size(); ++first) {
+        if (seen[first] || kind[first] == kMortar) continue;
+        const std::vector<std::size_t> piece = connected(labels, kind, first, seen);
+        if (piece.size() < kLeastPixels) continue;
+        for (const std::size_t p : piece) labels.label[p] = labels.stones;
+        labels.is_opening.push_back(kind[first] == kOpening ? 1 : 0);
+        ++labels.stones;
     }
     return labels;
 }
@@ -152,12 +165,20 @@ FoundStones find_photographed(const DrawingFrame& frame, const Picture& picture,
     FoundStones found;
     found.photograph = as_picture(bgr);
     const cv::Mat openings = openings_of(bgr);
-    bgr.setTo(cv::mean(bgr, ~openings), openings); // a colour that says nothing
-    const Trial trial = best_trial(quiet_colours(at_most(bgr, kTrialSide)), method);
-    if (trial.stones.count == 0) check_wall(frame, {}, {});
-    const Stones stones = at_half_way(quiet_colours(bgr), trial.stones);
+    Trial trial;
+    cv::Scalar mortar = cv::mean(bgr, ~openings); // until it is known
+    for (int round = 0; round < (cv::countNonZero(openings) > 0 ? 2 : 1); ++round) {
+        bgr.setTo(mortar, openings);
+        const cv::Mat small = at_most(bgr, kTrialSide);
+        trial = best_trial(quiet_colours(small), method);
+        if (trial.stones.count > 0) mortar = cv::mean(small, trial.stones.label == 0);
+    }
+    if (trial.stones.count == 0) check_wall(frame, {}, {}, 0.0);
+    const cv::Mat lab = quiet_colours(bgr);
+    const Stones stones = at_half_way(lab, trial.stones);
     const Shape shape = shape_of(stones, cv::Mat::ones(bgr.size(), CV_32F));
-    if (method == StoneMethod::best) check_wall(frame, stones, shape);
+    if (method == StoneMethod::best)
+        check_wall(frame, stones, shape, sharpness_of(lab, stones));
     found.method = trial.method;
     found.solidity = shape.solidity;
     found.labels = as_labels(stones, openings);

@@ -44,6 +44,18 @@ struct Contrast {
     }
 };
 
+cv::Mat ball(int half)
+{
+    return cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * half - 1, 2 * half - 1});
+}
+
+cv::Mat eroded(const cv::Mat& mask, int pixels)
+{
+    cv::Mat less;
+    cv::erode(mask, less, ball(pixels));
+    return less;
+}
+
 /// The border that two stones share.
 struct Common {
     double pixels = 0.0, stone = 0.0; ///< length, and sum of Contrast::share along it
@@ -95,20 +107,27 @@ Stones joined(const Contrast& contrast, const Stones& stones)
 
 } // namespace
 
+double sharpness_of(const cv::Mat& lab, const Stones& stones)
+{
+    cv::Mat change, label, border;
+    cv::morphologyEx(lab, change, cv::MORPH_GRADIENT, ball(2));
+    cv::transform(change, change, cv::Mat(cv::Matx13f(1.0F, 1.0F, 1.0F)));
+    stones.label.convertTo(label, CV_32F);
+    cv::morphologyEx(label, border, cv::MORPH_GRADIENT, ball(2));
+    const cv::Mat at = border > 0.0;
+    return cv::mean(change, at)[0] / std::max(1e-6, cv::mean(change, ~at)[0]);
+}
+
 Stones at_half_way(const cv::Mat& lab, const Stones& stones)
 {
     constexpr int kReach = 4; // [pixels] that a border moves at most
     Stones large{{}, stones.count};
     cv::resize(stones.label, large.label, lab.size(), 0, 0, cv::INTER_NEAREST);
-    const cv::Mat mask = large.label != 0;
-    const auto ball = [](int width) {
-        return cv::getStructuringElement(cv::MORPH_ELLIPSE, {width, width});
-    };
-    cv::Mat mortar, inner, reach;
-    cv::erode(~mask, mortar, ball(2 * kReach - 1));
-    cv::erode(mask, inner, ball(2 * kReach - 1));
-    cv::dilate(mask, reach, ball(2 * kReach + 1));
-    const Contrast contrast{lab, surface_of(lab, mortar), mean_colours(lab, large, inner)};
+    const cv::Mat mask = large.label != 0, inner = eroded(mask, kReach);
+    cv::Mat reach;
+    cv::dilate(mask, reach, ball(kReach + 1));
+    const Contrast contrast{lab, surface_of(lab, eroded(~mask, kReach)),
+                            mean_colours(lab, large, inner)};
     Stones moved = grown(large, reach);
     for (int r = 0; r < lab.rows; ++r)
         for (int c = 0; c < lab.cols; ++c) {
