@@ -97,10 +97,9 @@ void check_wall(const DrawingFrame& frame, const Stones& stones, const Shape& sh
                 double sharpness)
 {
     constexpr int kFewest = 4;
-    constexpr double kSolidity =
-        0.87;                      // of walls 0.92 and more, of people and grass 0.85 and less
-    constexpr double kCover = 0.3; // as of a painted picture
-    constexpr double kSharp = 1.5; // of walls 2 and more
+    constexpr double kSolidity = 0.87; // of walls 0.92 and more, of grass and people 0.86
+    constexpr double kCover = 0.3;     // as of a painted picture
+    constexpr double kSharp = 1.5;     // of walls 2 and more
     if (stones.count >= kFewest && shape.solidity >= kSolidity && shape.cover >= kCover &&
         sharpness >= kSharp)
         return;
@@ -109,8 +108,10 @@ void check_wall(const DrawingFrame& frame, const Stones& stones, const Shape& sh
         "shows no stones that differ from their mortar (the best guess: " +
             counted(static_cast<std::size_t>(stones.count), "piece", "pieces") + ", " +
             fixed(shape.solidity, 2) + " as compact as their hulls, " +
-            fixed(100.0 * shape.cover, 0) +
-            " % of the picture); cut it to the wall and take it in even light, or write "
+            fixed(100.0 * shape.cover, 0) + " % of the picture, borders " +
+            fixed(sharpness, 1) +
+            " times as sharp as the rest); cut it to the wall and take it in even light, or "
+            "write "
             "--method threshold, kmeans or watershed to have a guess and correct it by hand");
 }
 
@@ -122,7 +123,7 @@ Picture as_picture(const cv::Mat& bgr)
     return picture;
 }
 
-/// Connected pieces of stones and openings. Around openings their colour runs over a few pixels,
+/// Connected pieces of stones and openings. The colour of openings runs over a few pixels,
 /// which become mortar.
 Labels as_labels(const Stones& stones, const cv::Mat& openings)
 {
