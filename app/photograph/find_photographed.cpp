@@ -80,6 +80,18 @@ cv::Mat at_most(const cv::Mat& image, int longest)
     return small;
 }
 
+/// Mortar of a pixel or two is lost with the noise: small photographs are made larger.
+cv::Mat at_usual_size(const cv::Mat& image)
+{
+    constexpr double kMost = 3.0; // times
+    const double scale = static_cast<double>(kTrialSide) / std::max(image.rows, image.cols);
+    cv::Mat large = at_most(image, kLongestSide);
+    if (scale > 1.0)
+        cv::resize(image, large, {}, std::min(scale, kMost), std::min(scale, kMost),
+                   cv::INTER_CUBIC);
+    return large;
+}
+
 /// Pixels near the colour of openings, but for single ones.
 cv::Mat openings_of(const cv::Mat& bgr)
 {
@@ -162,7 +174,7 @@ FoundStones find_photographed(const DrawingFrame& frame, const Picture& picture,
     cv::cvtColor(cv::Mat(picture.rows, picture.columns, CV_8UC4,
                          const_cast<std::uint8_t*>(picture.rgba.data())),
                  bgr, cv::COLOR_RGBA2BGR);
-    bgr = at_most(bgr, kLongestSide);
+    bgr = at_usual_size(bgr);
     FoundStones found;
     found.photograph = as_picture(bgr);
     const cv::Mat openings = openings_of(bgr);

@@ -16,7 +16,8 @@ enum class StoneMethod { best, threshold, kmeans, watershed };
 inline constexpr std::array<std::string_view, 4> kStoneMethods = {"best", "threshold", "kmeans",
                                                                   "watershed"};
 
-/// The longest side of a photograph that is looked at [pixels]; larger ones are made smaller.
+/// The longest side of a photograph that is looked at [pixels]; larger ones are made smaller,
+/// and very small ones larger.
 constexpr int kLongestSide = 1600;
 
 struct FoundStones {

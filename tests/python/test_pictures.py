@@ -7,7 +7,7 @@ import numpy
 
 import drystone
 
-from scene import CHEAP, InFolder, QUICK, run, sets, STUDY, table, WALL
+from scene import CHEAP, InFolder, QUICK, ROOT, run, sets, STUDY, table, WALL
 
 
 class PythonHasWhatTheFilesHave(InFolder):
@@ -69,11 +69,11 @@ class PythonHasWhatTheFilesHave(InFolder):
         self.assertEqual(run("push", facade, "--out", out, "--quiet", *sets(settings)).returncode, 0)
         wall = drystone.push(facade, set=settings)
         for part, columns, names in (
-                (wall.piers, table(out / "piers.csv"), {"normal_before": "N_before_kN", "shear_at_peak": "V_kN", "drift": "drift_percent"}),
-                (wall.spandrels, table(out / "spandrels.csv"), {"largest_shear": "largest_V_kN"})):
+                (wall.piers, table(out / "piers.csv"), {"normal_before": "N before [kN]", "shear_at_peak": "V [kN]", "drift": "drift [%]"}),
+                (wall.spandrels, table(out / "spandrels.csv"), {"largest_shear": "largest V [kN]"})):
             self.assertGreater(len(columns), 1)
-            for name, column in {"from": "from_m", **names}.items():
-                unit = {"kN": 1e-3, "percent": 100, "m": 1}[column.split("_")[-1]]
+            for name, column in {"from": "from [m]", **names}.items():
+                unit = {"[kN]": 1e-3, "[%]": 100, "[m]": 1}[column.split()[-1]]
                 self.assertEqual(len(part[name]), len(columns))
                 for value, row in zip(part[name] * unit, columns):
                     self.assertTrue(math.isclose(value, float(row[column]), rel_tol=1e-8, abs_tol=1e-12), (name, value, row[column]))
