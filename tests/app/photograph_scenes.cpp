@@ -16,8 +16,8 @@
 namespace scenes {
 namespace {
 
-constexpr int kColumns = 600, kRows = 600;
-constexpr int kHalfMortar = 4; // [pixels]
+constexpr int kColumns = 720, kRows = 720;
+constexpr int kHalfMortar = 5; // [pixels]
 
 std::vector<dem::DrawnUnit> rubble_units()
 {

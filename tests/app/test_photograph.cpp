@@ -155,7 +155,7 @@ TEST_CASE("photograph: a magenta area is an opening, before and after", "[app][p
             const dem::Point p = b.outline[i], q = b.outline[(i + 1) % b.outline.size()];
             area += 0.5 * (p.x * q.z - q.x * p.z);
         }
-    CHECK(1.0 - area == Approx(200.0 * 150.0 / (600.0 * 600.0)).epsilon(0.05));
+    CHECK(1.0 - area == Approx(200.0 * 150.0 / (720.0 * 720.0)).epsilon(0.05));
     CHECK(static_cast<int>(drawing.blocks.size()) == labels.stones - 1);
 }
 
