@@ -122,11 +122,15 @@ TEST_CASE("photograph: the picture of the stones is read as these stones again",
 {
     const app::FoundStones found = found_in(
         scenes::jpeg_of(scenes::photograph_of(truth(), {.name = "", .noise = 6.0}), 80));
-    std::vector<std::string> notes;
-    const app::Labels again =
-        app::find_stones(frame(), app::painted_picture(found.labels), {1.0, 1.0}, 0.0, notes);
-    CHECK(again.stones == found.labels.stones);
-    CHECK(again.label == found.labels.label);
+    // with mortar between them, and touching
+    for (const app::Labels& labels :
+         {found.labels, app::grow_stones(found.labels, {1.0, 1.0})}) {
+        std::vector<std::string> notes;
+        const app::Labels again =
+            app::find_stones(frame(), app::painted_picture(labels), {1.0, 1.0}, 0.0, notes);
+        CHECK(again.stones == labels.stones);
+        CHECK(again.label == labels.label);
+    }
 }
 
 TEST_CASE("photograph: a magenta area is an opening, before and after", "[app][photograph]")
