@@ -18,6 +18,10 @@ namespace app {
 /// questions; and its scene. Replaces no file.
 [[nodiscard]] int new_command(const Command& command);
 
+/// `drystone stones`: the stones of a photograph. Writes stones.png, which wall.geometry reads,
+/// and found.png, the photograph with what was found.
+[[nodiscard]] int stones_command(const Command& command);
+
 /// `drystone status`: what a file of results holds, how far it is, and when it was added to.
 /// Takes no lock.
 [[nodiscard]] int status_command(const Command& command);

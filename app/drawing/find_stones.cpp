@@ -30,6 +30,7 @@ struct Colour {
         return std::max({red, green, blue}) - std::min({red, green, blue}) <= kGreyDifference;
     }
     [[nodiscard]] int code() const { return red << 16 | green << 8 | blue; }
+    [[nodiscard]] bool is_opening() const { return code() == kOpeningColour; }
 };
 
 /// Black where the pixel is more transparent than not.
@@ -42,6 +43,7 @@ Colour colour_of(const Picture& picture, std::size_t pixel)
 struct TwoGreys {
     bool are = false;
     double dark = 0.0, bright = 0.0; ///< mean greys
+    bool openings = false;           ///< there are two greys, and openings
 };
 
 /// Greys divided where the variance between the classes is largest (Otsu 1979, IEEE Trans. SMC
@@ -49,13 +51,15 @@ struct TwoGreys {
 TwoGreys two_greys(const Picture& picture, std::size_t pixels)
 {
     std::array<double, 256> histogram{};
-    std::size_t grey = 0;
+    std::size_t grey = 0, openings = 0;
     for (std::size_t i = 0; i < pixels; ++i) {
         const Colour c = colour_of(picture, i);
+        openings += c.is_opening() ? 1 : 0;
+        if (c.is_opening()) continue;
         grey += c.is_grey() ? 1 : 0;
         histogram[c.grey()] += 1.0;
     }
-    const double n = static_cast<double>(pixels);
+    const double n = static_cast<double>(pixels - openings);
     double sum = 0.0;
     for (std::size_t g = 0; g < 256; ++g) sum += static_cast<double>(g) * histogram[g];
     TwoGreys best;
@@ -68,7 +72,7 @@ TwoGreys two_greys(const Picture& picture, std::size_t pixels)
         const double variance = below * (n - below) * (bright - dark) * (bright - dark);
         if (variance <= most) continue;
         most = variance;
-        best = {false, dark, bright};
+        best = {false, dark, bright, false};
     }
     double near = 0.0;
     for (std::size_t g = 0; g < 256; ++g) {
@@ -78,10 +82,12 @@ TwoGreys two_greys(const Picture& picture, std::size_t pixels)
     }
     best.are = static_cast<double>(grey) >= kGreyShare * n &&
                best.bright - best.dark >= kLeastContrast && near >= kSpreadShare * n;
+    best.openings = best.are && openings > 0;
     return best;
 }
 
-/// A number for each pixel: pixels of one stone have the same one. kMortar for mortar.
+/// A number for each pixel: pixels of one stone have the same one. kMortar for mortar, and in a
+/// grey picture with openings for the mixed colours of their edges.
 std::vector<int> kinds_of(const Picture& picture, std::size_t pixels, const TwoGreys& greys)
 {
     std::vector<int> kind(pixels);
@@ -89,7 +95,11 @@ std::vector<int> kinds_of(const Picture& picture, std::size_t pixels, const TwoG
     for (std::size_t i = 0; i < pixels; ++i) {
         const Colour c = colour_of(picture, i);
         const bool black = std::max({c.red, c.green, c.blue}) <= kBlack;
-        if (greys.are)
+        if (c.is_opening())
+            kind[i] = kOpeningColour;
+        else if (greys.openings && !c.is_grey())
+            kind[i] = kMortar;
+        else if (greys.are)
             kind[i] = c.grey() > middle ? 0 : kMortar;
         else
             kind[i] = black ? kMortar : c.code();
@@ -101,6 +111,8 @@ struct Pieces {
     std::size_t dirt = 0;      ///< pieces that were too small
     std::size_t edges = 0;     ///< pieces of mixed colours
     std::size_t covered = 0;   ///< pixels of stones
+    std::size_t open = 0;      ///< pixels of openings
+    std::size_t openings = 0;  ///< of the labels
     std::size_t narrow = 0;    ///< stones no wider than an edge may be
     std::size_t narrow_at = 0; ///< the first pixel of the first of them
 };
@@ -119,11 +131,13 @@ Pieces number_pieces(const DrawingFrame& frame, Labels& labels, const std::vecto
             ++pieces.dirt;
             continue;
         }
-        if (coloured && is_smooth_edge(labels, kind, inner, piece)) {
+        const bool opening = kind[i] == kOpeningColour;
+        if (coloured && !opening && is_smooth_edge(labels, kind, inner, piece)) {
             ++pieces.edges;
             continue;
         }
-        if (coloured && std::ranges::none_of(piece, [&](std::size_t p) { return inner[p]; }) &&
+        if (coloured && !opening &&
+            std::ranges::none_of(piece, [&](std::size_t p) { return inner[p]; }) &&
             pieces.narrow++ == 0)
             pieces.narrow_at = i;
         if (labels.stones >= static_cast<int>(kMostBlocks)) {
@@ -132,7 +146,9 @@ Pieces number_pieces(const DrawingFrame& frame, Labels& labels, const std::vecto
                        " stones; take a picture of a part of the wall");
         }
         for (const std::size_t pixel : piece) labels.label[pixel] = labels.stones;
-        pieces.covered += piece.size();
+        (opening ? pieces.open : pieces.covered) += piece.size();
+        pieces.openings += opening ? 1 : 0;
+        labels.is_opening.push_back(opening ? 1 : 0);
         ++labels.stones;
     }
     return pieces;
@@ -151,7 +167,7 @@ Labels find_stones(const DrawingFrame& frame, const Picture& picture, PixelSize 
                    double dirt, std::vector<std::string>& notes)
 {
     constexpr double kLeastPixels = 16.0; // fewer have no shape
-    Labels labels{picture.columns, picture.rows, 0, {}};
+    Labels labels{picture.columns, picture.rows, 0, {}, {}};
     const std::size_t pixels = picture.rgba.size() / 4;
     labels.label.assign(pixels, kMortar);
     const double pixel_area = pixel.width * pixel.height;
@@ -160,14 +176,16 @@ Labels find_stones(const DrawingFrame& frame, const Picture& picture, PixelSize 
     const Pieces pieces =
         number_pieces(frame, labels, kinds_of(picture, pixels, greys), least, !greys.are);
     const double covered = static_cast<double>(pieces.covered),
-                 share = covered / static_cast<double>(pixels);
-    const double most_narrow = std::max(kFewNarrow, kMostNarrow * labels.stones);
+                 wall = static_cast<double>(pixels - pieces.open),
+                 share = covered / std::max(1.0, wall);
+    const std::size_t stones = static_cast<std::size_t>(labels.stones) - pieces.openings;
+    const double most_narrow = std::max(kFewNarrow, kMostNarrow * static_cast<double>(stones));
     if (pieces.edges > 0 && static_cast<double>(pieces.narrow) > most_narrow) {
         refuse(frame, 0,
                "has smooth edges, and " + std::to_string(pieces.narrow) + " of " +
-                   counted(static_cast<std::size_t>(labels.stones), "stone", "stones") +
-                   " would be at most " + std::to_string(kWidestEdge) +
-                   " pixels wide, such as the one at " + place_of(pieces.narrow_at, labels) +
+                   counted(stones, "stone", "stones") + " would be at most " +
+                   std::to_string(kWidestEdge) + " pixels wide, such as the one at " +
+                   place_of(pieces.narrow_at, labels) +
                    "; paint them without smooth edges, or white on black");
     }
     if (share < kLeastCover) {
@@ -177,18 +195,24 @@ Labels find_stones(const DrawingFrame& frame, const Picture& picture, PixelSize 
                                          : "stones of one colour each") +
                    ", and stones cover " + fixed(100.0 * share, 1) +
                    " % of it; paint the stones white on black, or each in one colour of its "
-                   "own with black mortar");
+                   "own with black mortar; of a photograph write \"drystone stones " +
+                   frame.file + "\" first");
     }
     notes.push_back(
         greys.are
             ? "The picture has bright stones (grey " + fixed(greys.bright, 0) +
                   " of 255) on dark mortar (" + fixed(greys.dark, 0) + ")."
             : "In the picture each connected area of one colour is a stone; black is mortar.");
-    notes.push_back(
-        counted(static_cast<std::size_t>(labels.stones), "stone covers ", "stones cover ") +
-        number(covered * pixel_area, 5) + " m2 of " +
-        number(static_cast<double>(pixels) * pixel_area, 5) + " m2 (" +
-        fixed(100.0 * share, 1) + " %); the mortar between them was divided at its middle.");
+    notes.push_back(counted(stones, "stone covers ", "stones cover ") +
+                    number(covered * pixel_area, 5) + " m2 of " + number(wall * pixel_area, 5) +
+                    " m2 (" + fixed(100.0 * share, 1) +
+                    " %); the mortar between them was divided at its middle.");
+    if (pieces.openings > 0) {
+        const bool one = pieces.openings == 1;
+        notes.push_back(counted(pieces.openings, "magenta area of ", "magenta areas of ") +
+                        number(static_cast<double>(pieces.open) * pixel_area, 5) + " m2 " +
+                        (one ? "is an opening." : "are openings."));
+    }
     if (pieces.edges > 0) {
         notes.push_back(
             counted(pieces.edges, "area", "areas") + " of at most " +

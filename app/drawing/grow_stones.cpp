@@ -162,9 +162,17 @@ double distance_to_stone(const Painted& painted, PixelSize pixel, dem::Point at)
 
 Labels grow_stones(Labels labels, PixelSize size)
 {
+    const std::vector<int> before = labels.label;
+    const auto in_opening = [&](std::size_t p) {
+        return before[p] != kMortar && labels.is_opening[before[p]] != 0;
+    };
+    for (std::size_t p = 0; p < before.size(); ++p)
+        if (in_opening(p)) labels.label[p] = kMortar;
     const InColumn nearest = nearest_in_column(labels);
     std::vector<Parabola> envelope;
     for (int row = 0; row < labels.rows; ++row) grow_row(labels, nearest, size, row, envelope);
+    for (std::size_t p = 0; p < before.size(); ++p)
+        if (in_opening(p)) labels.label[p] = before[p];
     // cells of pixels can have tips that hang by the corner of a pixel
     keep_largest_pieces(labels);
     fill_mortar(labels);

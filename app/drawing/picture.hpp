@@ -17,15 +17,23 @@ struct Picture {
     std::vector<std::uint8_t> rgba; ///< four bytes per pixel, row by row
 };
 
+/// @throws ConfigError if there are more than 40 million pixels
+void check_pixels(const DrawingFrame& frame, std::uint64_t columns, std::uint64_t rows);
+
 /// @throws ConfigError if it is no PNG, is damaged, or has more than 40 million pixels
 [[nodiscard]] Picture read_png(const DrawingFrame& frame, std::string_view bytes);
 
-constexpr int kMortar = -1; ///< label of what is no stone
+/// The same pixels as a PNG file.
+[[nodiscard]] std::string png_of(const Picture& picture);
+
+constexpr int kMortar = -1;              ///< label of what is no stone
+constexpr int kOpeningColour = 0xff00ff; ///< magenta: a door, a window, or no wall at all
 
 /// Stones are numbered from 0 in the order of their first pixels.
 struct Labels {
     int columns = 0, rows = 0, stones = 0;
-    std::vector<int> label; ///< of each pixel, row by row
+    std::vector<int> label;       ///< of each pixel, row by row
+    std::vector<char> is_opening; ///< of each stone: it is an opening, and no stone
 
     [[nodiscard]] std::size_t pixel(int column, int row) const
     {
@@ -65,8 +73,8 @@ struct PixelSize {
 
 /// The stones of a picture. A grey picture of two greys (docs/drawings.md) has bright stones on
 /// dark mortar; in any other, each connected area of one colour is a stone, and black and
-/// transparent pixels are mortar. Areas smaller than `dirt` become mortar. Notes say what was
-/// understood.
+/// transparent pixels are mortar. In both, areas of the colour of openings are openings. Areas
+/// smaller than `dirt` become mortar. Notes say what was understood.
 /// @param dirt [m2]
 /// @throws ConfigError if there are no stones, or too many
 [[nodiscard]] Labels find_stones(const DrawingFrame& frame, const Picture& picture,
@@ -84,7 +92,7 @@ struct Painted {
 [[nodiscard]] double distance_to_stone(const Painted& painted, PixelSize pixel, dem::Point at);
 
 /// Stones grow over the mortar: each pixel goes to the stone nearest to its centre. Each stone
-/// is one piece afterwards, its pixels connected through their sides.
+/// is one piece afterwards, its pixels connected through their sides. Openings do not grow.
 /// @param labels with one stone at least
 [[nodiscard]] Labels grow_stones(Labels labels, PixelSize pixel);
 

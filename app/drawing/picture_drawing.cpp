@@ -142,8 +142,8 @@ Drawing read_picture(const DrawingFrame& frame, std::string_view bytes,
         note_borders(drawing, borders, options.simplify);
         std::vector<std::vector<dem::Point>> outlines =
             outlines_of(frame, borders.network, borders.simplified, labels.stones);
-        for (std::vector<dem::Point>& outline : outlines)
-            drawing.blocks.push_back({std::move(outline), ""});
+        for (std::size_t s = 0; s < outlines.size(); ++s)
+            if (!labels.is_opening[s]) drawing.blocks.push_back({std::move(outlines[s]), ""});
     } catch (const TooCrowded& crowd) {
         refuse(frame, 0,
                "has too many borders near " + raw_coordinates(frame, crowd.at) +

@@ -38,12 +38,17 @@ std::string remedy_for(const std::string& extension)
     struct Other {
         std::string_view extension, remedy;
     };
-    constexpr std::array kOthers = {
-        Other{".jpg", "save it as PNG"},       Other{".jpeg", "save it as PNG"},
-        Other{".gif", "save it as PNG"},       Other{".bmp", "save it as PNG"},
-        Other{".tif", "save it as PNG"},       Other{".tiff", "save it as PNG"},
-        Other{".webp", "save it as PNG"},      Other{".dwg", "save it as ASCII DXF"},
-        Other{".pdf", "save it as DXF or SVG"}};
+    constexpr std::string_view kFindStones =
+        "find the stones of a photograph by \"drystone stones\" first";
+    constexpr std::array kOthers = {Other{".jpg", kFindStones},
+                                    Other{".jpeg", kFindStones},
+                                    Other{".gif", "save it as PNG"},
+                                    Other{".bmp", "save it as PNG"},
+                                    Other{".tif", "save it as PNG"},
+                                    Other{".tiff", "save it as PNG"},
+                                    Other{".webp", "save it as PNG"},
+                                    Other{".dwg", "save it as ASCII DXF"},
+                                    Other{".pdf", "save it as DXF or SVG"}};
     const auto other = std::ranges::find(kOthers, extension, &Other::extension);
     return other != kOthers.end() ? std::string(other->remedy)
                                   : "give a .dxf, .json, .svg or .png file";

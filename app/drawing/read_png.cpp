@@ -7,9 +7,17 @@
 
 namespace app {
 
-Picture read_png(const DrawingFrame& frame, std::string_view bytes)
+void check_pixels(const DrawingFrame& frame, std::uint64_t columns, std::uint64_t rows)
 {
     constexpr std::uint64_t kMostPixels = 40'000'000;
+    if (columns * rows > kMostPixels)
+        refuse(frame, 0,
+               "has " + std::to_string(columns) + " x " + std::to_string(rows) +
+                   " pixels, more than 40 million; make it smaller");
+}
+
+Picture read_png(const DrawingFrame& frame, std::string_view bytes)
+{
     png_image image{};
     image.version = PNG_IMAGE_VERSION;
     const std::unique_ptr<png_image, decltype(&png_image_free)> freed(&image, png_image_free);
@@ -19,11 +27,7 @@ Picture read_png(const DrawingFrame& frame, std::string_view bytes)
                    "); save the picture as PNG again");
     };
     if (!png_image_begin_read_from_memory(&image, bytes.data(), bytes.size())) damaged();
-    if (std::uint64_t{image.width} * image.height > kMostPixels) {
-        refuse(frame, 0,
-               "has " + std::to_string(image.width) + " x " + std::to_string(image.height) +
-                   " pixels, more than 40 million; make it smaller");
-    }
+    check_pixels(frame, image.width, image.height);
     Picture picture{static_cast<int>(image.width), static_cast<int>(image.height), {}};
     image.format = PNG_FORMAT_RGBA;
     picture.rgba.resize(PNG_IMAGE_SIZE(image));

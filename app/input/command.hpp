@@ -53,6 +53,7 @@ struct Command {
     std::vector<std::string> predict; ///< further stresses, of a calibration
     std::vector<std::string> responses;         ///< that a server gives; empty: the peak force
     std::optional<int> walls;                   ///< number of walls that a page shows, >= 0
+    std::string method;                         ///< by which stones are found; empty: the best
     std::string title;                          ///< of a page; empty: that of the study
     std::map<std::string, std::string> answers; ///< of a new study, by option: "length", "3 m"
 };

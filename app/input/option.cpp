@@ -82,7 +82,7 @@ std::vector<Option> table()
 {
     return {
         {"out", "PATH", "output directory or file (default: runs/<name of the study>; beside a FILE.h5 that is read)",
-         "push scene study sample reliability fragility report sheet choices compare curves calibrate record surrogate shake", false,
+         "push scene stones study sample reliability fragility report sheet choices compare curves calibrate record surrogate shake", false,
          [](Command& c, Text v) { c.out = some_text(v); }},
         {"set", "section.key=value", "value in place of the one in the study file; an empty one takes the key out; may be repeated",
          "push scene study sample reliability fragility sheet choices serve calibrate shake", true,
@@ -93,7 +93,7 @@ std::vector<Option> table()
         {"predict", "STRESS", "further vertical stress, such as \"0.75 MPa\", under which a new wall is predicted; may be repeated", "calibrate", true,
          [](Command& c, Text v) { c.predict.push_back(some_text(v)); }},
         {"quiet", "", "no progress on stderr (default: progress)",
-         "push study sample reliability fragility report sheet choices compare curves merge serve calibrate record surrogate shake", false,
+         "push stones study sample reliability fragility report sheet choices compare curves merge serve calibrate record surrogate shake", false,
          [](Command& c, Text) { c.quiet = true; }},
         {"verbose", "", "print all rows and columns of the tables (default: ten rows, the main columns)",
          "study fragility", false,
@@ -143,6 +143,8 @@ std::vector<Option> table()
          [](Command& c, Text v) { c.measures.push_back(some_text(v)); }},
         {"acceleration-unit", "UNIT", "unit of the accelerations of a file, in place of the one that it states: g, m/s2, cm/s2, mm/s2 or g/10", "record", false,
          [](Command& c, Text v) { c.unit = some_text(v); }},
+        {"method", "NAME", "how stones are told from mortar: threshold, kmeans or watershed (default: the one whose stones are the most compact)", "stones", false,
+         [](Command& c, Text v) { c.method = some_text(v); }},
         {"length", "LENGTH", "length of the wall, along the push, such as \"3 m\"", "new", false, answer<"length">},
         {"height", "LENGTH", "height of the wall", "new", false, answer<"height">},
         {"thickness", "LENGTH", "thickness of the wall", "new", false, answer<"thickness">},

@@ -10,10 +10,11 @@
 
 namespace app {
 
-inline constexpr std::array<std::string_view, 21> kVerbNames = {
-    "push",      "scene",     "new",    "study", "status",  "sample",  "reliability",
-    "fragility", "calibrate", "report", "sheet", "choices", "compare", "surrogate",
-    "curves",    "record",    "shake",  "serve", "merge",   "help",    "version"};
+inline constexpr std::array<std::string_view, 22> kVerbNames = {
+    "push",    "scene",       "new",       "stones",    "study",  "status",
+    "sample",  "reliability", "fragility", "calibrate", "report", "sheet",
+    "choices", "compare",     "surrogate", "curves",    "record", "shake",
+    "serve",   "merge",       "help",      "version"};
 
 class VerbSet {
   public:

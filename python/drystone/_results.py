@@ -62,6 +62,9 @@ class Results:
         """peak_force [N], peak_displacement [m], ..., by name; `units` and `meanings` say what they are."""
         self.counts: dict[str, numpy.ndarray]
         """cracked_units, ..., by name."""
+        self.piers: dict[str, numpy.ndarray] = file["piers"]
+        """Of walls with openings: from, to, bottom, top [m] and storey of each pier; normal_before, shear_at_peak [N], end_movement [m], ...,
+        by wall and pier. Empty of walls without piers. docs/store.md says what they are."""
         self.units: dict[str, str] = {}
         self.meanings: dict[str, str] = {}
         for group in ("inputs", "responses", "counts"):

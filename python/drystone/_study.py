@@ -133,6 +133,18 @@ class Push:
         return self._wall.cycles()
 
     @property
+    def piers(self) -> dict[str, Any]:
+        """Of a wall with openings, by pier from the left, storey by storey: its place from, to, bottom, top [m], storey, normal_before,
+        normal_at_peak, shear_at_peak, largest_shear [N], drift over its own height [-], slenderness H0/D [-], mode. Empty columns of a
+        wall without piers. A table: pandas.DataFrame(wall.piers). `piers.csv` of a push has the same."""
+        return self._wall.piers()
+
+    @property
+    def spandrels(self) -> dict[str, numpy.ndarray]:
+        """The same of the masonry above each opening: place [m], normal_at_peak, shear_at_peak, largest_shear [N]."""
+        return self._wall.spandrels()
+
+    @property
     def backbones(self) -> dict[str, Curve]:
         """Envelopes of first cycles, "right" and "left", displacements and forces positive on either side."""
         return {"right": Curve(*self._wall.backbone(1)), "left": Curve(*self._wall.backbone(-1))}

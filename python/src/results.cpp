@@ -8,6 +8,7 @@
 #include "python/src/arrays.hpp"
 #include "python/src/beside_python.hpp"
 #include "python/src/bind.hpp"
+#include "python/src/piers.hpp"
 
 #include <pybind11/stl.h>
 
@@ -86,6 +87,7 @@ py::dict read_walls(const std::string& path)
     std::vector<std::vector<double>> inputs(head.inputs.size()),
         responses(head.responses.size()), cost(head.cost.size());
     std::vector<std::vector<std::int64_t>> counts(head.counts.size());
+    StoredPiers piers(head.piers);
     const std::set<app::WallKey> half = half_pushed(reader);
     reader.for_each_row([&](const app::WallRow& row) {
         if (half.contains(row.key)) return;
@@ -97,6 +99,7 @@ py::dict read_walls(const std::string& path)
         append(row.responses, responses);
         append(row.counts, counts);
         append(row.cost, cost);
+        piers.add(row.piers);
     });
     std::vector<double> stress;
     for (std::uint32_t l = 0; l < app::own_levels(head); ++l)
@@ -117,6 +120,7 @@ py::dict read_walls(const std::string& path)
     file["inputs"] = columns_with(head.inputs, std::move(inputs));
     file["responses"] = columns_with(head.responses, std::move(responses));
     file["counts"] = columns_with(head.counts, std::move(counts));
+    file["piers"] = piers.taken();
     file["cost"] = columns_with(head.cost, std::move(cost));
     return file;
 }

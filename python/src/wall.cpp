@@ -9,6 +9,7 @@
 #include "python/src/arrays.hpp"
 #include "python/src/bind.hpp"
 #include "python/src/loaded_study.hpp"
+#include "python/src/piers.hpp"
 #include "python/src/refuse_new.hpp"
 
 #include <pybind11/stl.h>
@@ -157,6 +158,8 @@ void bind_wall(py::module_& m)
         .def("wall_svg", &picture)
         .def("frames", &frames)
         .def("cycles", &cycles)
+        .def("piers", &piers_of_wall)
+        .def("spandrels", &spandrels_of_wall)
         .def("backbone", &backbone, py::arg("direction"))
         .def("summary_json", [](const WallOfStudy& w) {
             return app::summary_json(study_as_used(w), w.study->source.ready.layout, w.wall);

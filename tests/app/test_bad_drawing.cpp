@@ -165,8 +165,8 @@ TEST_CASE("bad drawing: more than can be a wall is refused at once", "[app][bad_
 TEST_CASE("bad drawing: other formats are refused with the format to save them in",
           "[app][bad_drawing]")
 {
-    check({{"w.jpg", "x", "w.jpg: is not a drawing that can be read; save it as PNG", ""},
-           {"w.JPEG", "x", "w.JPEG: is not a drawing that can be read; save it as PNG", ""},
+    check({{"w.jpg", "x", "w.jpg: is not a drawing", "by \"drystone stones\" first"},
+           {"w.JPEG", "x", "w.JPEG: is not a drawing", "by \"drystone stones\" first"},
            {"w.dwg", "x", "w.dwg: is not a drawing that can be read; save it as ASCII DXF", ""},
            {"w.txt", "x", "w.txt: is not a drawing", "give a .dxf, .json, .svg or .png file"}});
 }

@@ -14,6 +14,7 @@
 
 using scenes::area;
 using scenes::drawing_of;
+using scenes::notes;
 using scenes::Pixels;
 using scenes::pixels;
 using scenes::png_bytes;
@@ -534,4 +535,24 @@ TEST_CASE("picture drawing: a stone as thin as an edge stays a stone", "[app][pi
     CHECK(stones(smooth) == 5);
     CHECK(scenes::notes(drawing_of("w.png", png_bytes(wall(1, 4, 0xe0e0e0)), options),
                         "1 stone is at most 4 pixels wide, such as the one at pixel (0, 74)"));
+}
+
+TEST_CASE(
+    "picture drawing: magenta areas are openings, which no block fills and nothing grows into",
+    "[app][picture_drawing]")
+{
+    const int other = GENERATE(0xffffff, 0x4080c0); // two greys; a colour for each stone
+    const int red = GENERATE(0xff00ff, 0xff01ff);   // and a colour that is none of an opening
+    Pixels picture = pixels(120, 100);
+    picture.fill(0, 0, 58, 48, 0xffffff);
+    picture.fill(62, 0, 120, 48, other);
+    picture.fill(0, 52, 38, 100, other);
+    picture.fill(82, 52, 120, 100, 0xffffff);
+    picture.fill(42, 52, 78, 100, red);
+    const app::Drawing drawing = drawing_of("w.png", png_bytes(picture),
+                                            {.width = 1.2, .height = 1.0, .simplify = 0.005});
+    const bool opening = red == 0xff00ff;
+    CHECK(drawing.blocks.size() == (opening ? 4 : 5));
+    CHECK(area(drawing) == Approx(1.2 - (opening ? 0.36 * 0.48 : 0.0)).epsilon(1e-9));
+    CHECK(notes(drawing, "1 magenta area of 0.1728 m2 is an opening.") == opening);
 }

@@ -7,7 +7,7 @@ import numpy
 
 import drystone
 
-from scene import CHEAP, InFolder, QUICK, run, sets, STUDY, table, WALL
+from scene import CHEAP, InFolder, QUICK, ROOT, run, sets, STUDY, table, WALL
 
 
 class PythonHasWhatTheFilesHave(InFolder):
@@ -60,6 +60,32 @@ class PythonHasWhatTheFilesHave(InFolder):
             points = [(float(r["displacement_mm"]), float(r["force_kN"])) for r in table(out / "backbones.csv") if r["side"] == side]
             self.assertTrue(numpy.allclose(numpy.column_stack([curve.displacement * 1e3, curve.force * 1e-3]), points, rtol=1e-8, atol=1e-9))
         self.assertEqual(len(drystone.push(WALL, set=CHEAP).cycles["energy"]), 1)
+
+    def test_piers(self):
+        """Those of piers.csv and spandrels.csv, and of the file of a study."""
+        facade = ROOT / "configs/facade.ini"
+        settings = {**CHEAP, "solver.accuracy": "20 %", "load.direction": "right"}
+        out = self.folder / "out"
+        self.assertEqual(run("push", facade, "--out", out, "--quiet", *sets(settings)).returncode, 0)
+        wall = drystone.push(facade, set=settings)
+        for part, columns, names in (
+                (wall.piers, table(out / "piers.csv"), {"normal_before": "N before [kN]", "shear_at_peak": "V [kN]", "drift": "drift [%]"}),
+                (wall.spandrels, table(out / "spandrels.csv"), {"largest_shear": "largest V [kN]"})):
+            self.assertGreater(len(columns), 1)
+            for name, column in {"from": "from [m]", **names}.items():
+                unit = {"[kN]": 1e-3, "[%]": 100, "[m]": 1}[column.split()[-1]]
+                self.assertEqual(len(part[name]), len(columns))
+                for value, row in zip(part[name] * unit, columns):
+                    self.assertTrue(math.isclose(value, float(row[column]), rel_tol=1e-8, abs_tol=1e-12), (name, value, row[column]))
+        self.assertEqual(wall.piers["mode"], [row["mode"] for row in table(out / "piers.csv")])
+        self.assertEqual(len(drystone.push(WALL, set=CHEAP).piers["drift"]), 0)
+
+        file = self.folder / "facade.h5"
+        self.assertEqual(run("study", facade, "--out", file, "--quiet", *sets({**settings, "uq.samples": 1})).returncode, 0)
+        stored = drystone.open(file).piers
+        self.same(stored["from"], wall.piers["from"])
+        self.assertEqual(stored["shear_at_peak"].shape, (1, len(wall.piers["from"])))
+        self.same(stored["shear_at_peak"][0], wall.piers["shear_at_peak"])
 
     def test_joints(self):
         """The joints of joints.csv, and what the file of a study says of each value."""

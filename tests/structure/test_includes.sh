@@ -36,6 +36,7 @@ declare -A knows=(
     [app/scene]="app/text app/drawing dem/ app app/input app/output app/sampling app/study"
     [app/record]="app/text app/input app/output app ground"
     [app/shake]="app/text dem/ fragility ground app app/input app/output app/store app/sampling app/study"
+    [app/photograph]="app/text app/drawing app app/output"
     [app/new]="app/text app app/input app/output"
     [app/choices]="app/text dem/ fragility app/reading app/input app/output app/sampling app/study"
     [app/compare]="app/text fragility app/reading app/input app/output app/study app/push"

@@ -1,0 +1,86 @@
+#include "app/commands.hpp"
+#include "app/drawing/drawing_file.hpp"
+#include "app/output/result_folder.hpp"
+#include "app/photograph/stones_picture.hpp"
+#include "app/text/config_error.hpp"
+#include "app/text/number_text.hpp"
+
+#include <boost/algorithm/string/predicate.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <string>
+
+namespace app {
+namespace {
+
+constexpr std::string_view kStonesList = "drystone_stones_files.txt";
+
+StoneMethod method_of(const Command& command)
+{
+    if (command.method.empty()) return StoneMethod::best;
+    const auto at = std::ranges::find(kStoneMethods, command.method);
+    if (at == kStoneMethods.end())
+        throw ConfigError("drystone", 0, "--method",
+                          in_quotes(command.method) + " finds no stones; " +
+                              suggestion(command.method, kStoneMethods));
+    return static_cast<StoneMethod>(at - kStoneMethods.begin());
+}
+
+Picture read_photograph(const DrawingFrame& frame)
+{
+    const std::string extension = std::filesystem::path(frame.file).extension().string();
+    const auto is = [&](const char* other) { return boost::iequals(extension, other); };
+    if (is(".png")) return read_png(frame, read_drawing_bytes(frame.file));
+    if (is(".jpg") || is(".jpeg")) return read_jpeg(frame, read_drawing_bytes(frame.file));
+    refuse(frame, 0, "is no photograph that can be read; save it as .jpg or .png");
+}
+
+double share_of_stone(const Labels& labels)
+{
+    const auto stone = std::ranges::count_if(
+        labels.label, [&](int l) { return l != kMortar && !labels.is_opening[l]; });
+    return static_cast<double>(stone) / static_cast<double>(labels.label.size());
+}
+
+void say(const FoundStones& found, const std::filesystem::path& folder)
+{
+    const Labels& labels = found.labels;
+    const auto openings = static_cast<std::size_t>(std::ranges::count(labels.is_opening, 1));
+    std::cout << counted(static_cast<std::size_t>(labels.stones) - openings, "stone", "stones")
+              << (openings > 0 ? " and " + counted(openings, "opening", "openings")
+                               : std::string())
+              << " by " << kStoneMethods[static_cast<std::size_t>(found.method)] << ", on "
+              << fixed(100.0 * share_of_stone(labels), 0) << " % of " << labels.columns << " x "
+              << labels.rows << " pixels\n"
+              << "look at " << (folder / "found.png").string() << "; correct "
+              << (folder / "stones.png").string()
+              << ": a colour for each stone, black mortar, magenta openings\n"
+              << "then write into [wall] of a study, with the size of what the picture shows:\n"
+              << "  geometry = " << std::filesystem::absolute(folder / "stones.png").string()
+              << "\n  picture_width = 1.20 m\n  picture_height = "
+              << number(1.2 * labels.rows / labels.columns, 3) << " m\n";
+}
+
+} // namespace
+
+int stones_command(const Command& command)
+{
+    const StoneMethod method = method_of(command);
+    if (const std::string note =
+            check_results(command.out, {"stones.png", "found.png"}, kStonesList);
+        !command.quiet)
+        std::cerr << note;
+    DrawingFrame frame;
+    frame.file = command.words.front();
+    const FoundStones found = find_photographed(frame, read_photograph(frame), method);
+    write_results(command.out,
+                  {{"stones.png", png_of(painted_picture(found.labels))},
+                   {"found.png", png_of(found_picture(found))}},
+                  kStonesList);
+    say(found, command.out);
+    return 0;
+}
+
+} // namespace app
