@@ -7,8 +7,8 @@
 #include "app/study/limit_choices.hpp"
 #include "app/study/mode_rule.hpp"
 #include "app/study/mode_share.hpp"
-#include "app/study/turned_walls.hpp"
 #include "app/study/pier_shares.hpp"
+#include "app/study/turned_walls.hpp"
 #include "app/text/number_text.hpp"
 #include "uq/estimates/estimate.hpp"
 

@@ -7,9 +7,9 @@
 #include "app/study/mode_rule.hpp"
 #include "app/study/mode_share.hpp"
 #include "app/study/number_cells.hpp"
-#include "app/study/turned_walls.hpp"
 #include "app/study/pier_shares.hpp"
 #include "app/study/solver_error.hpp"
+#include "app/study/turned_walls.hpp"
 
 #include <string>
 #include <vector>

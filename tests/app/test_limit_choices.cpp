@@ -4,8 +4,8 @@
 #include "app/fragility_scenes.hpp"
 #include "app/report/report_parts.hpp"
 #include "app/study/limit_choices.hpp"
-#include "app/study/turned_walls.hpp"
 #include "app/study/study_summary.hpp"
+#include "app/study/turned_walls.hpp"
 #include "app/study_scenes.hpp"
 
 #include <catch2/catch.hpp>
