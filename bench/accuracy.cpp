@@ -10,6 +10,8 @@
 /// --most-seconds: of one core, for one push; what takes longer is named as too dear. --print:
 /// the study file of one scene, for `drystone push`.
 
+#include "app/input/study.hpp"
+#include "app/input/study_file.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/text/number_text.hpp"
 #include "bench/accuracy_answers.hpp"
