@@ -1,13 +1,10 @@
 #pragma once
 /// Scenes far from the paper, to see what error the speed of the drive leaves in a push.
 
+#include "app/input/study.hpp"
 #include <cstdint>
 #include <span>
 #include <string>
-
-namespace app {
-struct Study;
-}
 
 namespace bench {
 
