@@ -2,6 +2,7 @@
 /// Scenes far from the paper, to see what error the speed of the drive leaves in a push.
 
 #include "app/input/study.hpp"
+
 #include <cstdint>
 #include <span>
 #include <string>
