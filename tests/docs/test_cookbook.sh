@@ -25,7 +25,7 @@ cheap() { # of $line
     line=${line%%  #*}
     # a tenth of the samples; wall 1 in place of wall 17
     line=$(sed -E 's/(samples=[0-9]+)0\b/\1/; s/--sample ([0-9])[0-9]+/--sample \1/' <<<"$line")
-    [[ $line != *" reliability program.ini"* ]] || add reliability.budget=100
+    [[ $line != *" reliability program.ini"* ]] || add reliability.budget=300
     [[ $line =~ \./drystone\ (push|study|sample|reliability|sheet|choices|calibrate)\ (configs/|house\.ini) ]] || return 0
     add solver.fidelity=rigid
     add solver.steps_per_mm=100
