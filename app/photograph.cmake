@@ -26,7 +26,7 @@ if(DRYSTONE_HAS_PHOTOGRAPHS)
         photograph/mortar_maps.cpp
         photograph/read_jpeg.cpp)
     set_target_properties(drystone_app_stones PROPERTIES UNITY_BUILD ON)
-    target_compile_options(drystone_app_stones PRIVATE $<$<CONFIG:Release>:-O2>)
+    target_compile_options(drystone_app_stones PRIVATE $<$<CONFIG:Release>:-O2> $<$<CONFIG:Debug>:-O1>)
     target_include_directories(drystone_app_stones SYSTEM PRIVATE ${OPENCV_INCLUDE_DIR} ${TURBOJPEG_INCLUDE_DIR})
     target_link_libraries(drystone_app_stones PUBLIC drystone_app_drawing
                           PRIVATE ${OPENCV_IMGPROC_LIBRARY} ${OPENCV_CORE_LIBRARY} ${TURBOJPEG_LIBRARY})

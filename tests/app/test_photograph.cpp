@@ -85,10 +85,54 @@ const std::vector<Look> kLooks = {
      .stones = {{{110, 100, 90}, {120, 105, 90}, {100, 100, 95}, {115, 95, 90}}}},
     {.name = "all", .spread = 10.0, .blur = 1.2, .dark = 0.5, .noise = 8.0, .quality = 60}};
 
+/// Reads so many files that were broken at random, or is refused.
+void read_broken(int files)
+{
+    app::Picture small{48, 40, std::vector<std::uint8_t>(4 * 48 * 40, 255)};
+    for (int row = 0; row < 40; ++row)
+        for (int column = 0; column < 48; ++column)
+            if (column % 16 < 3 || row % 10 < 3)
+                std::fill_n(small.rgba.data() + 4 * (row * 48 + column), 3, std::uint8_t{40});
+    const std::string whole = scenes::jpeg_of(small, 70);
+    std::mt19937 random(1);
+    int read = 0, refused = 0;
+    for (int i = 0; i < files; ++i) {
+        std::string bytes = whole;
+        for (unsigned n = 1 + random() % 4; n > 0; --n) {
+            const std::size_t at = random() % bytes.size();
+            switch (random() % 4) {
+            case 0:
+                bytes[at] = static_cast<char>(random());
+                break;
+            case 1:
+                bytes.resize(at + 1);
+                break;
+            case 2:
+                bytes.erase(at, random() % 20);
+                break;
+            default:
+                bytes.insert(at, bytes.substr(random() % bytes.size(), random() % 20));
+            }
+            if (bytes.empty()) bytes = "x";
+        }
+        try {
+            const app::FoundStones found =
+                found_in(bytes, static_cast<app::StoneMethod>(i % 4));
+            CHECK(found.labels.label.size() == found.photograph.rgba.size() / 4);
+            ++read;
+        } catch (const app::ConfigError& error) {
+            CHECK(std::string(error.what()).starts_with("wall.jpg: "));
+            ++refused;
+        }
+    }
+    CHECK(read > files / 10);
+    CHECK(refused > files / 10);
+}
+
 } // namespace
 
 TEST_CASE("photograph: every stone of a rubble wall is found, within 5 % of its area",
-          "[app][photograph]")
+          "[slow][app][photograph]")
 {
     const Look look = GENERATE(from_range(kLooks));
     INFO(look.name);
@@ -118,7 +162,7 @@ TEST_CASE("photograph: each method finds the stones of an easy picture", "[app][
 }
 
 TEST_CASE("photograph: the picture of the stones is read as these stones again",
-          "[app][photograph]")
+          "[slow][app][photograph]")
 {
     const app::FoundStones found = found_in(
         scenes::jpeg_of(scenes::photograph_of(truth(), {.name = "", .noise = 6.0}), 80));
@@ -133,7 +177,8 @@ TEST_CASE("photograph: the picture of the stones is read as these stones again",
     }
 }
 
-TEST_CASE("photograph: a magenta area is an opening, before and after", "[app][photograph]")
+TEST_CASE("photograph: a magenta area is an opening, before and after",
+          "[slow][app][photograph]")
 {
     app::Picture picture = scenes::photograph_of(truth(), {.name = "", .noise = 4.0});
     for (int row = 200; row < 400; ++row)
@@ -216,45 +261,13 @@ TEST_CASE("photograph: EXIF turns it upright", "[app][photograph]")
     CHECK(at(column, upright.rows - 1 - row) > 235);
 }
 
-TEST_CASE("photograph: five hundred broken files are read or refused", "[app][photograph]")
+TEST_CASE("photograph: broken files are read or refused", "[app][photograph]")
 {
-    app::Picture small{48, 40, std::vector<std::uint8_t>(4 * 48 * 40, 255)};
-    for (int row = 0; row < 40; ++row)
-        for (int column = 0; column < 48; ++column)
-            if (column % 16 < 3 || row % 10 < 3)
-                std::fill_n(small.rgba.data() + 4 * (row * 48 + column), 3, std::uint8_t{40});
-    const std::string whole = scenes::jpeg_of(small, 70);
-    std::mt19937 random(1);
-    int read = 0, refused = 0;
-    for (int i = 0; i < 500; ++i) {
-        std::string bytes = whole;
-        for (unsigned n = 1 + random() % 4; n > 0; --n) {
-            const std::size_t at = random() % bytes.size();
-            switch (random() % 4) {
-            case 0:
-                bytes[at] = static_cast<char>(random());
-                break;
-            case 1:
-                bytes.resize(at + 1);
-                break;
-            case 2:
-                bytes.erase(at, random() % 20);
-                break;
-            default:
-                bytes.insert(at, bytes.substr(random() % bytes.size(), random() % 20));
-            }
-            if (bytes.empty()) bytes = "x";
-        }
-        try {
-            const app::FoundStones found =
-                found_in(bytes, static_cast<app::StoneMethod>(i % 4));
-            CHECK(found.labels.label.size() == found.photograph.rgba.size() / 4);
-            ++read;
-        } catch (const app::ConfigError& error) {
-            CHECK(std::string(error.what()).starts_with("wall.jpg: "));
-            ++refused;
-        }
-    }
-    CHECK(read > 50);
-    CHECK(refused > 50);
+    read_broken(40);
+}
+
+TEST_CASE("photograph: five hundred broken files are read or refused",
+          "[slow][app][photograph]")
+{
+    read_broken(500);
 }
