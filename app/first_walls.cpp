@@ -11,8 +11,9 @@ namespace {
 [[noreturn]] void refuse(const std::string& what)
 {
     throw ConfigError("drystone", 0, what,
-                      "takes the whole program, and this one pushes the walls of study files "
-                      "alone; run it by ./drystone, which builds the other");
+                      "needs the whole program. This one is built for a first push and knows "
+                      "study files alone; run ./drystone from the checkout, which builds the "
+                      "other");
 }
 
 } // namespace

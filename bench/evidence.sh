@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # bash bench/evidence.sh   writes docs/calibration/evidence.md and .csv: the evidence of laws for joints and cracks, by the seven tests of
-# configs/lourenco2005.csv. Some seven minutes of two cores; walls that were pushed are kept in runs/evidence and taken again.
+# configs/lourenco2005.csv. Walls that were pushed are kept in runs/evidence and taken again.
 # DRYSTONE_PROGRAM: the program.
 set -euo pipefail
 cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.."

@@ -11,6 +11,30 @@
 
 namespace study_texts {
 
+/// Two rigid stones under a beam, with random friction, shaken in no time. A test adds load,
+/// ground and samples.
+inline const char* const kShakenWall = R"([wall]
+length = 0.40 m
+courses = 2
+course_height = 0.20 m
+unit_length = 0.40 m
+thickness = 0.20 m
+bond = stack
+toe = free
+unit_cracks = no
+[stone]
+young_modulus = 15.5 GPa
+poisson_ratio = 0.2
+density = 2300 kg/m3
+[joint]
+normal_stiffness = 1 GPa/m
+friction_angle = normal(mean 25 deg, cov 0.2)
+[beam]
+height = 0.10 m
+young_modulus = 30 GPa
+density = 2400 kg/m3
+)";
+
 /// A wall that is pushed in no time: rigid stones on a base joint, random friction, one stress.
 inline const char* const kSmallWall = R"([wall]
 length = 0.60 m

@@ -3,6 +3,7 @@
 #include "app/input/study_reading.hpp"
 #include "app/input/wall_geometry.hpp"
 #include "app/push/drawn_picture.hpp"
+#include "scenes/count_text.hpp"
 #include "study_texts.hpp"
 
 #include <catch2/catch.hpp>
@@ -13,14 +14,7 @@
 
 namespace {
 
-std::size_t count(const std::string& text, const std::string& part)
-{
-    std::size_t n = 0;
-    for (std::size_t at = text.find(part); at != std::string::npos;
-         at = text.find(part, at + 1))
-        ++n;
-    return n;
-}
+using scenes::count;
 
 app::Study spatial_study()
 {

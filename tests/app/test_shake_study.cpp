@@ -8,6 +8,7 @@
 #include "app/text/config_error.hpp"
 #include "app/text/json_text.hpp"
 #include "scenes/terminal.hpp"
+#include "study_texts.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -28,27 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 using Catch::Matchers::Contains;
 
-constexpr const char* kShakenWall = R"([wall]
-length = 0.40 m
-courses = 2
-course_height = 0.20 m
-unit_length = 0.40 m
-thickness = 0.20 m
-bond = stack
-toe = free
-unit_cracks = no
-[stone]
-young_modulus = 15.5 GPa
-poisson_ratio = 0.2
-density = 2300 kg/m3
-[joint]
-normal_stiffness = 1 GPa/m
-friction_angle = normal(mean 25 deg, cov 0.2)
-[beam]
-height = 0.10 m
-young_modulus = 30 GPa
-density = 2400 kg/m3
-[load]
+constexpr const char* kShaking = R"([load]
 vertical_stress = 0.05 MPa
 mass = floor
 [solver]
@@ -66,7 +47,7 @@ class ShakenStudy {
     ShakenStudy()
     {
         fs::create_directories(path);
-        std::ofstream(path / "study.ini") << kShakenWall;
+        std::ofstream(path / "study.ini") << study_texts::kShakenWall << kShaking;
         put_wave(1.0);
     }
     ~ShakenStudy() { fs::remove_all(path); }

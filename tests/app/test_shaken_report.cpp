@@ -5,6 +5,7 @@
 #include "app/shake/shake_study.hpp"
 #include "scenes/temporary_folder.hpp"
 #include "scenes/terminal.hpp"
+#include "study_texts.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -18,27 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Catch::Matchers::Contains;
 
-constexpr const char* kWall = R"([wall]
-length = 0.40 m
-courses = 2
-course_height = 0.20 m
-unit_length = 0.40 m
-thickness = 0.20 m
-bond = stack
-toe = free
-unit_cracks = no
-[stone]
-young_modulus = 15.5 GPa
-poisson_ratio = 0.2
-density = 2300 kg/m3
-[joint]
-normal_stiffness = 1 GPa/m
-friction_angle = normal(mean 25 deg, cov 0.2)
-[beam]
-height = 0.10 m
-young_modulus = 30 GPa
-density = 2400 kg/m3
-[load]
+constexpr const char* kShaking = R"([load]
 vertical_stress = 0.05, 0.10 MPa
 mass = floor
 [solver]
@@ -56,7 +37,7 @@ struct ShakenReport {
 
     explicit ShakenReport(fs::path in) : folder(std::move(in))
     {
-        std::ofstream(folder / "study.ini") << kWall;
+        std::ofstream(folder / "study.ini") << study_texts::kShakenWall << kShaking;
         wave(1.0);
         app::Command c;
         c.study = (folder / "study.ini").string();

@@ -4,6 +4,7 @@
 #include "app/sheet/wall_drawing.hpp"
 #include "app/study_texts.hpp"
 #include "app/text/config_error.hpp"
+#include "scenes/count_text.hpp"
 #include "scenes/temporary_folder.hpp"
 #include "scenes/terminal.hpp"
 
@@ -18,6 +19,8 @@
 #include <string>
 
 namespace {
+
+using scenes::count;
 
 namespace fs = std::filesystem;
 
@@ -49,15 +52,6 @@ app::Sheet full_sheet()
     s.spread_head = "a head";
     s.footer = words;
     return s;
-}
-
-std::size_t count(const std::string& text, const std::string& part)
-{
-    std::size_t n = 0;
-    for (std::size_t at = text.find(part); at != std::string::npos;
-         at = text.find(part, at + 1))
-        ++n;
-    return n;
 }
 
 /// Runs the command on the wall of `file`, without a program that prints.
