@@ -9,8 +9,8 @@
 namespace app {
 
 /// `drystone scene`: the wall that a study describes, before anything is computed. Writes
-/// scene.svg, scene.json, scene.dxf and joints.csv, which says where each joint and crack is,
-/// and says what the wall is. scene.json and scene.dxf hold whole units in the unit of
+/// scene.svg, laws.svg (law_picture.hpp), scene.json, scene.dxf and joints.csv, which says where
+/// each joint and crack is, and says what the wall is. scene.json and scene.dxf hold whole units in the unit of
 /// wall.length_unit, and are read again with wall.geometry.
 [[nodiscard]] int scene_command(const Command& command);
 

@@ -22,3 +22,5 @@ cp -- "$work/cycles/capacity.svg" "$to/cycles.svg"
 "${DRYSTONE_PROGRAM:-./drystone}" study configs/quick.ini --out "$work/quick.h5" --quiet >/dev/null
 "${DRYSTONE_PROGRAM:-./drystone}" fragility "$work/quick.h5" --out "$work/quick" --quiet >/dev/null
 cp -- "$work/quick/pictures/curve_ntc_SLD.svg" "$to/fragility.svg"
+"${DRYSTONE_PROGRAM:-./drystone}" scene configs/wall.ini --out "$work/scene" >/dev/null
+cp -- "$work/scene/laws.svg" "$to/laws.svg"

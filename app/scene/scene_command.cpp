@@ -10,6 +10,7 @@
 #include "app/output/result_folder.hpp"
 #include "app/output/table.hpp"
 #include "app/sampling/wall_sites.hpp"
+#include "app/scene/law_picture.hpp"
 #include "app/scene/reading_again.hpp"
 #include "app/scene/scene_picture.hpp"
 #include "app/scene/scene_units.hpp"
@@ -139,7 +140,8 @@ int scene_command(const Command& command)
     const Study& study = source.ready.study;
     const fs::path out = command.out;
     if (const std::string note = check_results(
-            out, {"scene.json", "scene.dxf", "scene.svg", "joints.csv"}, kSceneList);
+            out, {"scene.json", "scene.dxf", "scene.svg", "joints.csv", "laws.svg"},
+            kSceneList);
         !command.quiet)
         std::cerr << note;
     const dem::Layout& layout = source.ready.layout;
@@ -157,7 +159,9 @@ int scene_command(const Command& command)
                   {{"scene.json", write_drawing_json(units, unit)},
                    {"scene.dxf", write_drawing_dxf(units, unit)},
                    {"scene.svg", scene_picture(layout, units, counts, sizes)},
-                   {"joints.csv", as_csv(joint_table(layout))}},
+                   {"joints.csv", as_csv(joint_table(layout))},
+                   {"laws.svg", law_picture(study.parameters, layout.course_height,
+                                            stress_level(study, 0), layout, study.solver)}},
                   kSceneList);
     std::cout << wrapped(counts + ".\n", terminal_width())
               << wrapped(sizes + ".\n", terminal_width())
@@ -165,8 +169,8 @@ int scene_command(const Command& command)
               << wrapped(quality_text(indices, dem::quality_terms(indices, whole)) + "\n",
                          terminal_width())
               << layouts_text(study)
-              << "scene.svg, scene.json, scene.dxf and joints.csv written to " << command.out
-              << '\n'
+              << "scene.svg, laws.svg, scene.json, scene.dxf and joints.csv written to "
+              << command.out << '\n'
               << reading_again_text(study, layout.n_cracks > 0);
     return 0;
 }

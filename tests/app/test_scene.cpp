@@ -109,6 +109,31 @@ TEST_CASE("scene command: the paper's wall, exported and read again, is the same
     }
 }
 
+TEST_CASE("scene command: laws.svg draws the laws that the contacts of the wall follow",
+          "[app][scene]")
+{
+    const scenes::TemporaryFolder folder;
+    const auto laws = [&](const std::string& study, const std::vector<std::string>& overrides) {
+        scene(study, folder.path, overrides);
+        return read_text(folder.path / "laws.svg");
+    };
+    const auto has = [](const std::string& text, const char* words) {
+        return text.find(words) != std::string::npos;
+    };
+    const std::string wall = laws(kWall, {});
+    CHECK((has(wall, "Crack in a unit, opened") && has(wall, "Dry joint, strength")));
+    CHECK(has(wall, "Mean values under 0.5 MPa"));
+    CHECK_FALSE(has(laws(kWall, {"wall.unit_cracks=no"}), "Crack in a unit"));
+    CHECK(laws(kWall, {"unit.contact_law=uncoupled"}) ==
+          wall); // differs where both act at once
+    CHECK(laws(kWall, {"unit.envelope=hyperbolic"}) != wall);
+    CHECK(laws(kWall, {"unit.unloading=elastic"}) != wall);
+    const std::string closing = std::string(DRYSTONE_SOURCE_DIR) + "/configs/closure.ini";
+    CHECK(laws(closing, {}) != laws(closing, {"joint.closure_loss=0.3"}));
+    const std::string mortar = std::string(DRYSTONE_SOURCE_DIR) + "/configs/picture.ini";
+    CHECK(has(laws(mortar, {}), "Joint with mortar, slipping"));
+}
+
 TEST_CASE("scene command: joints.csv says where each value per joint belongs", "[app][scene]")
 {
     const scenes::TemporaryFolder folder;

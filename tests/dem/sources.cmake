@@ -26,6 +26,7 @@ set(TEST_DEM_UNIT_SOURCES
     dem/test_layout.cpp
     dem/test_polygon_block.cpp
     dem/test_mechanism.cpp
+    dem/test_law_path.cpp
     dem/test_mixed_crack.cpp
     dem/test_mixed_wall.cpp
     dem/test_model.cpp
