@@ -1,8 +1,10 @@
 #include "bench/validation/level_statistics.hpp"
 
 #include "core/moments.hpp"
+#include "fragility/bilinear.hpp"
 #include "uq/estimates/estimate.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -10,13 +12,24 @@ namespace bench {
 namespace {
 
 struct Values {
-    std::vector<double> friction, strength, peak, displacement, dropped;
+    std::vector<double> friction, strength, peak, displacement, dropped, plateau;
 };
 
 ModeStatistics statistics(const Values& v)
 {
-    return {sample(v.friction), sample(v.strength), sample(v.peak), sample(v.displacement),
-            sample(v.dropped)};
+    return {sample(v.friction),     sample(v.strength), sample(v.peak),
+            sample(v.displacement), sample(v.dropped),  sample(v.plateau)};
+}
+
+/// Force of the equal-energy bilinear of a curve on the grid of mean curves [kN]; 0: there is
+/// none.
+double plateau_of(const app::StudyWall& w, double step, double share)
+{
+    std::vector<double> at(w.forces.size());
+    for (std::size_t k = 0; k < at.size(); ++k) at[k] = static_cast<double>(k) * step;
+    if (at.empty()) return 0.0;
+    const double end = std::min(w.reading.ultimate.displacement, at.back());
+    return fragility::equal_energy_bilinear({at, w.forces}, end, share).yield_force * 1e-3;
 }
 
 } // namespace
@@ -47,7 +60,7 @@ LevelStatistics level_statistics(const app::StudyWalls& walls, std::size_t level
     s.walls = l.walls.size();
     s.failed = l.failed_walls.size();
     Values modes[2];
-    std::vector<double> peaks, unslid;
+    std::vector<double> peaks, unslid, plateaus;
     for (const app::StudyWall& w : l.walls) {
         const dem::Mechanism& m = w.mechanism;
         const bool rocks =
@@ -58,6 +71,11 @@ LevelStatistics level_statistics(const app::StudyWalls& walls, std::size_t level
         v.peak.push_back(app::peak_force(w.reading) * 1e-3);
         v.displacement.push_back(w.reading.ultimate.displacement * 1e3);
         if (w.reading.dropped) v.dropped.push_back(w.reading.ultimate.displacement * 1e3);
+        if (const double force = plateau_of(w, walls.step, walls.rules.options.bilinear_share);
+            force > 0.0) {
+            v.plateau.push_back(force);
+            plateaus.push_back(force);
+        }
         peaks.push_back(app::peak_force(w.reading) * 1e-3);
         s.rocking_walls += rocks;
         s.dropped_walls += w.reading.dropped;
@@ -67,6 +85,7 @@ LevelStatistics level_statistics(const app::StudyWalls& walls, std::size_t level
     }
     s.peak_kN = sample(peaks);
     s.unslid_kN = sample(unslid);
+    s.plateau_kN = sample(plateaus);
     s.rocking = statistics(modes[0]);
     s.mixed = statistics(modes[1]);
     return s;

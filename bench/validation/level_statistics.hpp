@@ -22,13 +22,15 @@ struct ModeStatistics {
     Sample
         displacement_mm; ///< drop to 80 %; of a wall without, the end of its run, as the paper has it
     Sample dropped_mm; ///< of the walls that dropped alone
+    Sample plateau_kN; ///< of the equal-energy bilinear up to displacement_mm
 };
 
 struct LevelStatistics {
     double stress_MPa = 0.0;
     std::size_t walls = 0, rocking_walls = 0, dropped_walls = 0, slid_walls = 0, failed = 0;
-    Sample peak_kN;   ///< all walls
-    Sample unslid_kN; ///< without those that slid whole
+    Sample peak_kN;    ///< all walls
+    Sample unslid_kN;  ///< without those that slid whole
+    Sample plateau_kN; ///< as of the modes, all walls
     ModeStatistics rocking, mixed;
 };
 

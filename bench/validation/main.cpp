@@ -14,6 +14,7 @@
 #include "bench/validation/damping_table.hpp"
 #include "bench/validation/effects.hpp"
 #include "bench/validation/joint_inputs.hpp"
+#include "bench/validation/mechanisms.hpp"
 #include "bench/validation/paper_comparison.hpp"
 #include "bench/validation/pictures.hpp"
 #include "bench/validation/remarks.hpp"
@@ -169,18 +170,29 @@ Page page_of(const fs::path& work)
          changed("load_height_1.05.h5"), changed("beam_light.h5"), changed("damping_0.5.h5"),
          changed("damping_0.95.h5"), changed("combined.h5"), joint_inputs}));
     page.write("## 7. The other figures");
+    page.write("Figs. 3 and 4, the laws of a crack and of a joint, each curve by moving one "
+               "contact (`./drystone scene configs/wall.ini` writes it):");
+    page.write("![Laws of the contacts](pictures/laws.svg)");
+    page.write("Fig. 8, walls of mean values under the stresses of the tests, at the peak and "
+               "at the end:");
+    for (const char* stress : {"0.15", "0.50", "1.00", "1.25"})
+        page.text += "![Wall of mean values under " + std::string(stress) +
+                     " MPa](pictures/wall_" + stress + ".svg)\n";
+    page.text += "\n";
     page.write("Fig. 9, inputs of the 250 walls and their prescribed densities:");
     page.show(bench::input_histograms(paper));
     page.write("Fig. 10, error of the mean of each input:");
     page.show({bench::running_errors(paper)});
-    page.write("Fig. 11, all 250 curves:");
+    page.write("Fig. 11, all 250 curves, and how walls of each mode end:");
     page.show(bench::all_curves(paper, "fig11"));
+    page.show({bench::mechanisms(work / "paper.h5", paper)});
     page.write("Fig. 12, what the peak force depends on:");
     page.show(bench::peaks_over_inputs(paper));
     page.write("Fig. 15, mean force over drift of each mode, with 16 and 84 % of the walls:");
     auto means = app::mean_curve_pictures(large);
     for (app::NamedPicture& p : means) p.name = "fig15_" + p.name;
     page.show(means);
+    page.show(bench::drifts_of_mean_curves(large));
     page.text += pushed_to_the_end(work).text;
     return page;
 }

@@ -33,5 +33,8 @@ struct ShareDifference {
                                        const LevelStatistics& independent);
 /// Peaks against the tests, the paper's and ours.
 [[nodiscard]] app::Table test_table(const OurLevels& ours);
+/// Fig. 15: drift at which the mean curve of a mode falls to 80 % of its peak, under each
+/// stress.
+[[nodiscard]] app::Table drifts_of_mean_curves(const app::StudyWalls& walls);
 
 } // namespace bench

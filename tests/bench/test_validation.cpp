@@ -60,6 +60,49 @@ TEST_CASE("validation: a level is told apart by the mode rule", "[app][validatio
     CHECK(bench::level_statistics(walls, 0, {0.5, 0}).rocking_walls == 1);
 }
 
+TEST_CASE("validation: the force of the equal-energy bilinear is the plateau of a bilinear "
+          "curve",
+          "[app][validation]")
+{
+    app::StudyWalls walls = scenes::study_walls(4);
+    walls.step = 0.25e-3;
+    auto& level = walls.levels[0];
+    for (std::size_t i = 0; i < 4; ++i) {
+        app::StudyWall& w = level.walls[i];
+        w.mechanism.rotation_share = i < 2 ? 0.9 : 0.1;
+        w.mechanism.cracked_units = i < 2 ? 0 : 1;
+        w.reading.dropped = i >= 2;
+        w.reading.ultimate.displacement = 0.010;
+        const double plateau = 50e3 + 1e3 * static_cast<double>(i);
+        w.forces.clear();
+        for (int k = 0; k <= 40; ++k) w.forces.push_back(std::min(plateau, plateau * k / 8.0));
+    }
+    const auto s = bench::level_statistics(walls, 0, {0.5, 1});
+    CHECK(s.rocking.plateau_kN.mean == Approx(50.5).epsilon(1e-9));
+    CHECK(s.mixed.plateau_kN.mean == Approx(52.5).epsilon(1e-9));
+    CHECK(s.plateau_kN.mean == Approx(51.5).epsilon(1e-9));
+    CHECK(s.plateau_kN.n == 4);
+}
+
+TEST_CASE("validation: the drift of a mean curve at 80 % of its peak", "[app][validation]")
+{
+    app::StudyWalls walls = scenes::study_walls(4);
+    walls.step = 0.5e-3;
+    walls.height = 1.0;
+    auto& level = walls.levels[0];
+    walls.levels.resize(1);
+    for (std::size_t i = 0; i < 4; ++i) {
+        app::StudyWall& w = level.walls[i];
+        w.reading.mode = i < 2 ? dem::FailureMode::rocking : dem::FailureMode::mixed;
+        w.forces.assign(61, 60e3);
+        for (int k = 30; i >= 2 && k <= 60; ++k) w.forces[static_cast<std::size_t>(k)] = 48e3;
+    }
+    const app::Table t = bench::drifts_of_mean_curves(walls);
+    REQUIRE(t.rows.size() == 1);
+    CHECK(app::cell_text(t.rows[0][1]) == "> 3.00");
+    CHECK(app::cell_text(t.rows[0][2]) == "1.50");
+}
+
 TEST_CASE("validation: inputs one at a time, each in its row", "[app][validation]")
 {
     std::size_t number = 0;
