@@ -42,11 +42,11 @@ void add_mean(const StudyWalls& walls, const StudyLevel& level, const std::strin
     const uq::Estimate e = uq::estimate_mean(counted);
     row.emplace_back(plain_number(e.value, decimals));
     row.emplace_back(plain_number(e.std_error, decimals + 1));
-    if (!in_hypercube(walls.study))
+    const auto error = hypercube_error(walls, level, v.y, v.member);
+    if (!error)
         return add_row(t, row, "No Latin hypercube with one value of each input per wall.");
-    const double error = uq::latin_subset_error(v.y, v.member, inputs_of(walls, level));
-    row.emplace_back(plain_number(error, decimals + 1));
-    row.emplace_back(e.std_error > 0.0 ? plain_number(error / e.std_error, 2) : Number{});
+    row.emplace_back(plain_number(*error, decimals + 1));
+    row.emplace_back(e.std_error > 0.0 ? plain_number(*error / e.std_error, 2) : Number{});
     add_row(t, row);
 }
 
@@ -61,6 +61,14 @@ bool in_hypercube(const Study& study)
            study.uq.together.empty() && !study.random.empty();
 }
 
+std::optional<double> hypercube_error(const StudyWalls& walls, const StudyLevel& level,
+                                      std::span<const double> y,
+                                      const std::vector<bool>& member)
+{
+    if (!in_hypercube(walls.study) || std::ranges::count(member, true) < 2) return {};
+    return uq::latin_subset_error(y, member, inputs_of(walls, level));
+}
+
 std::optional<double> log_peak_error(const StudyWalls& walls, const StudyLevel& level)
 {
     Values v;
@@ -69,8 +77,7 @@ std::optional<double> log_peak_error(const StudyWalls& walls, const StudyLevel& 
         v.member.push_back(peak > 0.0);
         v.y.push_back(peak > 0.0 ? std::log(peak) : 0.0);
     }
-    if (!in_hypercube(walls.study) || std::ranges::count(v.member, true) < 2) return {};
-    return uq::latin_subset_error(v.y, v.member, inputs_of(walls, level));
+    return hypercube_error(walls, level, v.y, v.member);
 }
 
 Table sampling_error_table(const StudyWalls& walls)

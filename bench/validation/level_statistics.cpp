@@ -1,5 +1,6 @@
 #include "bench/validation/level_statistics.hpp"
 
+#include "app/fragility/sampling_errors.hpp"
 #include "core/moments.hpp"
 #include "fragility/bilinear.hpp"
 #include "uq/estimates/estimate.hpp"
@@ -11,14 +12,28 @@
 namespace bench {
 namespace {
 
+/// Numbers of the walls of a level, one for each wall.
 struct Values {
-    std::vector<double> friction, strength, peak, displacement, dropped, plateau;
+    const app::StudyWalls& walls;
+    const app::StudyLevel& level;
+
+    /// Mean over those that are members.
+    [[nodiscard]] Sample of(const std::vector<double>& y, const std::vector<bool>& member) const
+    {
+        std::vector<double> counted;
+        for (std::size_t i = 0; i < y.size(); ++i)
+            if (member[i]) counted.push_back(y[i]);
+        Sample s = sample(counted);
+        s.hypercube = app::hypercube_error(walls, level, y, member);
+        return s;
+    }
 };
 
-ModeStatistics statistics(const Values& v)
+std::vector<bool> both(const std::vector<bool>& a, const std::vector<bool>& b)
 {
-    return {sample(v.friction),     sample(v.strength), sample(v.peak),
-            sample(v.displacement), sample(v.dropped),  sample(v.plateau)};
+    std::vector<bool> result(a.size());
+    for (std::size_t i = 0; i < a.size(); ++i) result[i] = a[i] && b[i];
+    return result;
 }
 
 /// Force of the equal-energy bilinear of a curve on the grid of mean curves [kN]; 0: there is
@@ -36,6 +51,7 @@ double plateau_of(const app::StudyWall& w, double step, double share)
 
 double Sample::std_error() const
 {
+    if (hypercube) return *hypercube;
     return n > 0 ? sd / std::sqrt(static_cast<double>(n)) : 0.0;
 }
 
@@ -59,35 +75,47 @@ LevelStatistics level_statistics(const app::StudyWalls& walls, std::size_t level
     s.stress_MPa = l.stress * 1e-6;
     s.walls = l.walls.size();
     s.failed = l.failed_walls.size();
-    Values modes[2];
-    std::vector<double> peaks, unslid, plateaus;
+    std::vector<double> peaks, plateaus, displacements, rocking;
+    std::vector<bool> all(l.walls.size(), true), rocks, slides, unslid, dropped, has_plateau;
     for (const app::StudyWall& w : l.walls) {
         const dem::Mechanism& m = w.mechanism;
-        const bool rocks =
-            dem::failure_mode(m, w.reading.dropped, mode) == dem::FailureMode::rocking;
-        Values& v = modes[rocks ? 0 : 1];
-        if (friction) v.friction.push_back(w.inputs[*friction]);
-        if (strength) v.strength.push_back(w.inputs[*strength]);
-        v.peak.push_back(app::peak_force(w.reading) * 1e-3);
-        v.displacement.push_back(w.reading.ultimate.displacement * 1e3);
-        if (w.reading.dropped) v.dropped.push_back(w.reading.ultimate.displacement * 1e3);
-        if (const double force = plateau_of(w, walls.step, walls.rules.options.bilinear_share);
-            force > 0.0) {
-            v.plateau.push_back(force);
-            plateaus.push_back(force);
-        }
+        rocks.push_back(dem::failure_mode(m, w.reading.dropped, mode) ==
+                        dem::FailureMode::rocking);
+        slides.push_back(!rocks.back());
+        unslid.push_back(!app::slid_whole(m, w.reading.dropped, mode));
+        dropped.push_back(w.reading.dropped);
+        rocking.push_back(rocks.back() ? 100.0 : 0.0);
         peaks.push_back(app::peak_force(w.reading) * 1e-3);
-        s.rocking_walls += rocks;
-        s.dropped_walls += w.reading.dropped;
-        const bool slid = app::slid_whole(m, w.reading.dropped, mode);
-        s.slid_walls += slid;
-        if (!slid) unslid.push_back(app::peak_force(w.reading) * 1e-3);
+        displacements.push_back(w.reading.ultimate.displacement * 1e3);
+        plateaus.push_back(plateau_of(w, walls.step, walls.rules.options.bilinear_share));
+        has_plateau.push_back(plateaus.back() > 0.0);
     }
-    s.peak_kN = sample(peaks);
-    s.unslid_kN = sample(unslid);
-    s.plateau_kN = sample(plateaus);
-    s.rocking = statistics(modes[0]);
-    s.mixed = statistics(modes[1]);
+    const auto inputs = [&](const std::optional<std::size_t>& place) {
+        std::vector<double> values;
+        for (const app::StudyWall& w : l.walls)
+            values.push_back(place ? w.inputs[*place] : 0.0);
+        return values;
+    };
+    const Values values{walls, l};
+    const auto of_mode = [&](const std::vector<bool>& member) {
+        ModeStatistics s;
+        if (friction) s.friction_deg = values.of(inputs(friction), member);
+        if (strength) s.strength_MPa = values.of(inputs(strength), member);
+        s.peak_kN = values.of(peaks, member);
+        s.displacement_mm = values.of(displacements, member);
+        s.dropped_mm = values.of(displacements, both(member, dropped));
+        s.plateau_kN = values.of(plateaus, both(member, has_plateau));
+        return s;
+    };
+    s.rocking_walls = static_cast<std::size_t>(std::ranges::count(rocks, true));
+    s.dropped_walls = static_cast<std::size_t>(std::ranges::count(dropped, true));
+    s.slid_walls = static_cast<std::size_t>(std::ranges::count(unslid, false));
+    s.rocking_percent = values.of(rocking, all);
+    s.peak_kN = values.of(peaks, all);
+    s.unslid_kN = values.of(peaks, unslid);
+    s.plateau_kN = values.of(plateaus, has_plateau);
+    s.rocking = of_mode(rocks);
+    s.mixed = of_mode(slides);
     return s;
 }
 

@@ -5,14 +5,16 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace bench {
 
 struct Sample {
     std::size_t n = 0;
-    double mean = 0.0, sd = 0.0; ///< sd 0 for fewer than two
-    [[nodiscard]] double std_error() const;
+    double mean = 0.0, sd = 0.0;       ///< sd 0 for fewer than two
+    std::optional<double> hypercube{}; ///< standard error of the mean of walls of a hypercube
+    [[nodiscard]] double std_error() const; ///< that, or as of independent walls
     [[nodiscard]] double cov() const { return mean != 0.0 ? sd / mean : 0.0; }
 };
 [[nodiscard]] Sample sample(const std::vector<double>& values);
@@ -28,9 +30,10 @@ struct ModeStatistics {
 struct LevelStatistics {
     double stress_MPa = 0.0;
     std::size_t walls = 0, rocking_walls = 0, dropped_walls = 0, slid_walls = 0, failed = 0;
-    Sample peak_kN;    ///< all walls
-    Sample unslid_kN;  ///< without those that slid whole
-    Sample plateau_kN; ///< as of the modes, all walls
+    Sample rocking_percent; ///< share of rocking walls
+    Sample peak_kN;         ///< all walls
+    Sample unslid_kN;       ///< without those that slid whole
+    Sample plateau_kN;      ///< as of the modes, all walls
     ModeStatistics rocking, mixed;
 };
 

@@ -147,6 +147,7 @@ Page page_of(const fs::path& work)
     page.show(bench::pooled_peaks(ours));
     page.write("## 3. Modes");
     page.show(bench::rocking_shares(ours));
+    page.write(bench::what_differs(ours));
     page.show({bench::rocking_over_stress(ours.large)});
     page.show(bench::rocking_table(ours));
     page.show(bench::mixed_table(ours));

@@ -4,6 +4,7 @@
 #include "app/output/table.hpp"
 #include "bench/validation/level_statistics.hpp"
 
+#include <string>
 #include <vector>
 
 namespace bench {
@@ -22,7 +23,9 @@ struct ShareDifference {
 [[nodiscard]] ShareDifference share_difference(std::size_t k1, std::size_t n1, std::size_t k2,
                                                std::size_t n2);
 
-[[nodiscard]] app::Table pooled_peaks(const OurLevels& ours);  ///< all walls of a level
+[[nodiscard]] app::Table pooled_peaks(const OurLevels& ours); ///< all walls of a level
+/// A sentence: which peaks and shares differ by more than the sampling of both.
+[[nodiscard]] std::string what_differs(const OurLevels& ours);
 [[nodiscard]] app::Table rocking_table(const OurLevels& ours); ///< Table 6
 [[nodiscard]] app::Table mixed_table(const OurLevels& ours);   ///< Table 7
 [[nodiscard]] app::Table rocking_shares(const OurLevels& ours);

@@ -1,9 +1,12 @@
+#include "app/fragility/sampling_errors.hpp"
 #include "app/fragility_scenes.hpp"
 #include "bench/validation/joint_inputs.hpp"
 #include "bench/validation/paper_comparison.hpp"
 #include "bench/validation/paper_tables.hpp"
 
 #include <catch2/catch.hpp>
+
+#include <cmath>
 
 TEST_CASE("validation: interval of a difference of shares is Newcombe's", "[app][validation]")
 {
@@ -101,6 +104,58 @@ TEST_CASE("validation: the drift of a mean curve at 80 % of its peak", "[app][va
     REQUIRE(t.rows.size() == 1);
     CHECK(app::cell_text(t.rows[0][1]) == "> 3.00");
     CHECK(app::cell_text(t.rows[0][2]) == "1.50");
+}
+
+TEST_CASE(
+    "validation: what differs from the paper differs by more than both hypercubes scatter",
+    "[app][validation]")
+{
+    const auto as_paper = [](std::size_t walls, double error) {
+        std::vector<bench::LevelStatistics> levels;
+        for (const bench::PaperLevel& p : bench::kPaperLevels) {
+            bench::LevelStatistics s;
+            s.walls = walls;
+            const double share = static_cast<double>(p.rocking_walls) / p.walls;
+            s.rocking_walls = static_cast<std::size_t>(std::lround(share * walls));
+            s.rocking_percent = {walls, 100.0 * share, 40.0, 10.0 * error};
+            s.peak_kN = {walls, bench::pooled_peak(p), 5.0, error};
+            levels.push_back(s);
+        }
+        return levels;
+    };
+    bench::OurLevels ours{as_paper(50, 0.3), as_paper(500, 0.1)};
+    CHECK(bench::what_differs(ours) ==
+          "Beyond the sampling of both, these differ from the paper. Mean peaks: none. Shares "
+          "of rocking walls: none.");
+    const double scatter = 1.96 * std::hypot(0.3, 0.1);
+    ours.large[0].peak_kN.mean -= 1.05 * scatter;
+    ours.large[1].peak_kN.mean += 0.95 * scatter;
+    ours.large[4].rocking_percent.mean += 10.5 * scatter;
+    ours.large[3].rocking_percent.mean -= 9.5 * scatter;
+    CHECK(bench::what_differs(ours) ==
+          "Beyond the sampling of both, these differ from the paper. Mean peaks: -4.0 % at "
+          "0.15 MPa. Shares of rocking walls: 6.5 points at 1.25 MPa.");
+    const app::Table peaks = bench::pooled_peaks(ours);
+    CHECK(app::cell_text(peaks.rows[0].back()) == "yes");
+    CHECK(app::cell_text(peaks.rows[1].back()) == "no");
+}
+
+TEST_CASE("validation: means of a level have the error of the hypercube that it is",
+          "[app][validation]")
+{
+    app::StudyWalls walls = scenes::study_walls(40);
+    REQUIRE(app::in_hypercube(walls.study));
+    const auto level = bench::level_statistics(walls, 0, {0.5, 1});
+    std::vector<double> peaks;
+    for (const app::StudyWall& w : walls.levels[0].walls)
+        peaks.push_back(app::peak_force(w.reading) * 1e-3);
+    const std::vector<bool> all(peaks.size(), true);
+    CHECK(level.peak_kN.std_error() ==
+          app::hypercube_error(walls, walls.levels[0], peaks, all).value());
+    walls.study.uq.design = uq::DesignKind::monte_carlo;
+    const auto independent = bench::level_statistics(walls, 0, {0.5, 1});
+    CHECK(independent.peak_kN.std_error() ==
+          Approx(independent.peak_kN.sd / std::sqrt(40.0)).epsilon(1e-12));
 }
 
 TEST_CASE("validation: inputs one at a time, each in its row", "[app][validation]")
