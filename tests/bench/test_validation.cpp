@@ -99,6 +99,7 @@ TEST_CASE("validation: the drift of a mean curve at 80 % of its peak", "[app][va
         w.reading.mode = i < 2 ? dem::FailureMode::rocking : dem::FailureMode::mixed;
         w.forces.assign(61, 60e3);
         for (int k = 30; i >= 2 && k <= 60; ++k) w.forces[static_cast<std::size_t>(k)] = 48e3;
+        for (int k = 20; i >= 2 && k < 30; ++k) w.forces[static_cast<std::size_t>(k)] = 52e3;
     }
     const app::Table t = bench::drifts_of_mean_curves(walls);
     REQUIRE(t.rows.size() == 1);
