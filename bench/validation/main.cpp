@@ -15,6 +15,7 @@
 #include "bench/validation/effects.hpp"
 #include "bench/validation/joint_inputs.hpp"
 #include "bench/validation/mechanisms.hpp"
+#include "bench/validation/numerical_scatter.hpp"
 #include "bench/validation/paper_comparison.hpp"
 #include "bench/validation/pictures.hpp"
 #include "bench/validation/remarks.hpp"
@@ -162,6 +163,13 @@ Page page_of(const fs::path& work)
     page.show(bench::all_curves(spatial, "fig14"));
     page.write("## 5. What the paper leaves open");
     page.show(effects);
+    std::vector<app::StudyWalls> discretisations = {paper};
+    for (const char* file : {"points_7", "modes_6", "modes_all", "drive_slow"})
+        discretisations.push_back(read(("effects/" + std::string(file) + ".h5").c_str()));
+    page.show(bench::numerical_scatter(
+        discretisations,
+        "the discretisation of the study, 7 contact points, 6 modes, all zones "
+        "of a block, and a drive 3 times as slow"));
     page.write("## 6. Where we differ, and why");
     const auto changed = [&](const char* file) {
         return bench::read_levels(work / "effects" / file);

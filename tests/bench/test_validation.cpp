@@ -1,6 +1,7 @@
 #include "app/fragility/sampling_errors.hpp"
 #include "app/fragility_scenes.hpp"
 #include "bench/validation/joint_inputs.hpp"
+#include "bench/validation/numerical_scatter.hpp"
 #include "bench/validation/paper_comparison.hpp"
 #include "bench/validation/paper_tables.hpp"
 
@@ -157,6 +158,33 @@ TEST_CASE("validation: means of a level have the error of the hypercube that it 
     const auto independent = bench::level_statistics(walls, 0, {0.5, 1});
     CHECK(independent.peak_kN.std_error() ==
           Approx(independent.peak_kN.sd / std::sqrt(40.0)).epsilon(1e-12));
+}
+
+TEST_CASE("validation: the numerical share of scatter is that of walls under discretisations",
+          "[app][validation]")
+{
+    // Ten walls, ln displacement i / 10 plus -0.1, 0 and 0.1 under three discretisations.
+    std::vector<app::StudyWalls> studies;
+    for (int k = 0; k < 3; ++k) {
+        studies.push_back(scenes::study_walls(12));
+        auto& walls = studies.back().levels[0].walls;
+        for (std::size_t i = 0; i < 12; ++i) {
+            walls[i].reading.dropped = i < 10 || (i == 10 && k == 0);
+            walls[i].reading.mode =
+                i == 3 && k == 2 ? dem::FailureMode::rocking : dem::FailureMode::mixed;
+            walls[i].reading.ultimate.displacement =
+                0.01 * std::exp(0.1 * static_cast<double>(i) + 0.1 * (k - 1));
+        }
+    }
+    const bench::ScatterParts p = bench::scatter_parts(studies, 0);
+    CHECK(p.walls == 10);
+    CHECK(p.within == Approx(0.1).epsilon(1e-9));
+    const double of_means = std::sqrt(110.0 / 12.0) * 0.1; // of 0, 1, ... 9, tenths
+    CHECK(p.between == Approx(std::sqrt(of_means * of_means - 0.01 / 3.0)).epsilon(1e-9));
+    CHECK(p.fell_in_some == 1);
+    CHECK(p.changed_mode == 1);
+    studies[1].levels[0].walls[4].inputs[0] += 1.0;
+    CHECK_THROWS_AS(bench::scatter_parts(studies, 0), std::invalid_argument);
 }
 
 TEST_CASE("validation: inputs one at a time, each in its row", "[app][validation]")
