@@ -2,6 +2,7 @@
 
 #include "app/input/limit_state_text.hpp"
 #include "app/input/study_reading.hpp"
+#include "app/output/energy_json.hpp"
 #include "app/program_version.hpp"
 #include "app/push/hand_checks.hpp"
 #include "app/study/both_ways.hpp"
@@ -9,7 +10,6 @@
 #include "app/text/json_text.hpp"
 #include "app/text/number_text.hpp"
 #include "app/version.hpp"
-#include "dem/solver/energy_parts.hpp"
 #include "dem/solver/solver_revision.hpp"
 #include "fragility/drift.hpp"
 
@@ -160,14 +160,6 @@ void add_piers(const PushedWall& w, const ReadingRules& rules, Json& j)
                          {"axial_percent", or_null(100.0 * w.pier_balance.normal)}};
 }
 
-Json energy(const dem::Energy& e)
-{
-    Json all;
-    for (const dem::EnergyPart& part : dem::kEnergyParts)
-        all[std::string(part.name) + "_J"] = or_null(e.*part.value);
-    return all;
-}
-
 Json mechanism(const PushedWall& w, const FragilityInput& f)
 {
     const dem::ModeThresholds& t = f.mode;
@@ -248,7 +240,7 @@ std::string summary_json(const Study& study, const dem::Layout& layout, const Pu
     j["hand_checks"] = checks(hand_checks(study, layout, w));
     j["energy_residual"] = or_null(value(wall_number("energy_residual"), source));
     add_number(wall_number("solver_error"), source, j);
-    j["energy"] = energy(w.result.energy);
+    j["energy"] = energy_json(w.result.energy);
     j["settled_before_push"] = w.result.settled;
     add_numbers(source, j, wall_number("step_fraction"), wall_number("step_reductions"),
                 wall_number("slow_starts"), wall_number("slowdowns"), wall_number("steps"),

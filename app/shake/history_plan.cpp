@@ -58,7 +58,7 @@ std::string name_in_line(const std::string& name)
 
 HistoryPlan history_plan(const Study& study)
 {
-    refuse_small(study);
+    check_shaken_study(study);
     if (has_layouts(study))
         throw error_at(study.source, "wall.layouts",
                        "walls in several random layouts cannot be shaken in one study; write "

@@ -1,6 +1,7 @@
 #include "app/shake/shake_files.hpp"
 
 #include "app/output/chart_svg.hpp"
+#include "app/output/energy_json.hpp"
 #include "app/program_version.hpp"
 #include "app/text/json_text.hpp"
 #include "app/text/number_text.hpp"
@@ -63,6 +64,7 @@ std::string shaken_summary(const ShakenWall& w, const std::string& study)
     j["collapse_time_s"] = fell ? or_null(r.collapse_time) : Json(nullptr);
     j["drift_height_m"] = or_null(r.top_height);
     j["energy_residual"] = or_null(r.residual);
+    j["energy"] = energy_json(r.energy);
     j["step_s"] = or_null(r.time_step);
     j["step_reductions"] = r.step_reductions;
     j["steps"] = r.steps;

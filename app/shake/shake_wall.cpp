@@ -14,7 +14,7 @@ namespace app {
 
 PreparedStudy shaken_study(PreparedStudy ready, int sample)
 {
-    refuse_small(ready.study);
+    check_shaken_study(ready.study);
     if (has_layouts(ready.study))
         ready = in_layout(ready.study,
                           layout_seed(ready.study, static_cast<std::uint32_t>(sample)));

@@ -184,12 +184,16 @@ dem::ShakePlan shake_plan(const Study& study, const ShakingMotion& motion)
     return plan;
 }
 
-void refuse_small(const Study& study)
+void check_shaken_study(const Study& study)
 {
     if (is_given(study.source, "solver.kinematics") &&
         study.solver.kinematics == dem::Kinematics::small)
         throw error_at(study.source, "solver.kinematics",
                        "a wall that is shaken turns by any amount; write finite, or remove it");
+    if (study.shaking.contact_damping > 0.0 && closes(study.parameters.joint))
+        throw error_at(study.source, "shaking.contact_damping",
+                       "joints that close have no dashpots, they lose energy by "
+                       "joint.closure_loss; write 0, or remove joint.closure");
 }
 
 Study moving_study(Study study)

@@ -54,8 +54,8 @@ struct ShakingMotion {
 /// The plan of a history of the study's wall, without its progress.
 [[nodiscard]] dem::ShakePlan shake_plan(const Study& study, const ShakingMotion& motion);
 
-/// A wall that is shaken turns by any amount. @throws ConfigError
-void refuse_small(const Study& study);
+/// Refuses small displacements, and dashpots in joints that close. @throws ConfigError
+void check_shaken_study(const Study& study);
 
 /// The study whose model is shaken: the ground drives it, and its beam is free.
 [[nodiscard]] Study moving_study(Study study);

@@ -24,7 +24,8 @@ void check_shaken(const Model& model);
 
 class HistoryRun {
   public:
-    /// @throws std::invalid_argument as check() does
+    /// @throws std::invalid_argument as check() does, or where joints that close are to have
+    /// dashpots
     HistoryRun(const ShakenTask& task, std::size_t number, WallMaterials materials,
                ShakePlan plan);
 

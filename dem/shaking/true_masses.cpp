@@ -108,7 +108,7 @@ double normal_stiffness(const StepTables& t, std::size_t run, const WallMaterial
 }
 
 StepLimits step_limits(const Model& m, const StepTables& t, const WallMaterials& w,
-                       const std::vector<BlockMass>& masses)
+                       const std::vector<BlockMass>& masses, double stiffer)
 {
     StepLimits limits;
     limits.all = limits.contact = std::numeric_limits<double>::infinity();
@@ -118,7 +118,7 @@ StepLimits step_limits(const Model& m, const StepTables& t, const WallMaterials&
         if (masses[b].mass > 0.0) {
             const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
                 modal_mass(m.elements[m.places[b].element], masses[b]));
-            limit = std::sqrt(2.0 * solver.eigenvalues()(0) / ratio[b]);
+            limit = std::sqrt(2.0 * solver.eigenvalues()(0) / (stiffer * ratio[b]));
         }
         limits.block.push_back(limit);
         limits.all = std::min(limits.all, limit);
@@ -127,7 +127,8 @@ StepLimits step_limits(const Model& m, const StepTables& t, const WallMaterials&
         const double mass = reduced_mass(t.dry_blocks[r], masses);
         if (mass > 0.0)
             limits.contact =
-                std::min(limits.contact, 2.0 * std::sqrt(mass / normal_stiffness(t, r, w, m)));
+                std::min(limits.contact,
+                         2.0 * std::sqrt(mass / (stiffer * normal_stiffness(t, r, w, m))));
     }
     return limits;
 }

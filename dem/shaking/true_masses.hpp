@@ -40,9 +40,12 @@ struct StepLimits {
     /// normal: contacts that open and close keep the energy at a fifth of it.
     double contact = 0.0;
 };
+/// @param stiffer stiffness of contacts that the step allows for, over that of the materials;
+/// joints that close need more than 1 [-]
 [[nodiscard]] StepLimits step_limits(const Model& model, const StepTables& tables,
                                      const WallMaterials& wall,
-                                     const std::vector<BlockMass>& masses);
+                                     const std::vector<BlockMass>& masses,
+                                     double stiffer = 1.0);
 
 /// Reduced mass of the two blocks of a run of dry contacts along its normal [kg].
 [[nodiscard]] double reduced_mass(const std::array<int, 2>& blocks,

@@ -58,9 +58,10 @@ class ShakeFolder {
         fs::temp_directory_path() / ("drystone_shake_" + std::to_string(::getpid()));
 
     [[nodiscard]] int shake(const std::string& rest, bool film = false,
-                            const std::string& video = {}) const
+                            const std::string& video = {},
+                            const std::string& wall = kWall) const
     {
-        std::ofstream(path / "study.ini") << kWall << rest;
+        std::ofstream(path / "study.ini") << wall << rest;
         app::Command c;
         c.study = (path / "study.ini").string();
         c.words = {c.study};
@@ -160,6 +161,28 @@ TEST_CASE("shake command: bad input is refused with its place and a remedy", "[a
     const ShakeFolder folder;
     CHECK_THROWS_WITH(static_cast<void>(folder.shake(c.rest)), Contains(c.says));
     CHECK_FALSE(fs::exists(folder.path / "out"));
+}
+
+TEST_CASE("shake command: joints that close and crush are shaken", "[app][shake]")
+{
+    const ShakeFolder folder;
+    std::string wall = kWall;
+    wall.replace(wall.find("normal_stiffness = 8 GPa/m\n"), 27,
+                 "closure = exponential\ninitial_stiffness = 4.87 GPa/m\n"
+                 "maximum_closure = 0.154 mm\nclosure_loss = 0.1\n"
+                 "compressive_strength = 0.4 MPa\n");
+    REQUIRE(folder.shake("[load]\nvertical_stress = 0.10 MPa\nmass = floor\n[shaking]\n"
+                         "records = half_sine(peak 0.5 g, duration 0.2 s)\n",
+                         false, {}, wall) == 0);
+    CHECK_THROWS_WITH(
+        static_cast<void>(folder.shake("[load]\nvertical_stress = 0.1 MPa\nmass = none\n"
+                                       "[shaking]\ncontact_damping = 0.02\n"
+                                       "records = half_sine(peak 0.3 g, duration 0.1 s)\n",
+                                       false, {}, wall)),
+        Contains("study.ini:31: shaking.contact_damping: joints that close have no dashpots"));
+    const app::Json j = app::json_of(folder.text("summary.json"));
+    CHECK(j["outcome"] == "stood");
+    CHECK(j["energy"]["crushing_J"].get<double>() > 0.0);
 }
 
 TEST_CASE("shake command: the film shows the history where the wall is farthest out",

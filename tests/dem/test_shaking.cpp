@@ -1,5 +1,6 @@
 /// Blocks on ground that moves, against closed forms (docs/dynamics.md has the sources).
 
+#include "dem/solver/push.hpp"
 #include "shaken_blocks.hpp"
 
 #include <catch2/catch.hpp>
@@ -41,6 +42,46 @@ scenes::Scene on_a_held_block(double b, double h, double kn, double tan_phi)
     s.wall.course_height = 2.0 * h;
     s.wall.bond_offset = 0.0;
     s.wall.base = dem::Base::fixed;
+    return s;
+}
+
+/// Displacement of a block under body forces of this load factor [m], by pushing it.
+double pushed_to(const dem::Model& m, const dem::WallMaterials& w, double factor)
+{
+    dem::PushPlan plan;
+    plan.targets = {0.004};
+    plan.record_every = 1e-5;
+    dem::SolverOptions options;
+    options.kinematics = dem::Kinematics::finite;
+    options.accuracy = 1e-3;
+    const dem::PushResult r = dem::push(m, w, plan, options);
+    for (std::size_t i = 1; i < r.curve.size(); ++i) {
+        const double a = r.curve[i - 1].force / r.weight, b = r.curve[i].force / r.weight;
+        if (a < factor && b >= factor)
+            return r.curve[i - 1].displacement +
+                   (factor - a) / (b - a) *
+                       (r.curve[i].displacement - r.curve[i - 1].displacement);
+    }
+    return NAN;
+}
+
+struct Toe {
+    const char* name;
+    dem::Closure closure;
+    double loss, strength; ///< of closing [-], compressive [Pa]
+    double factor;         ///< load factor to compare at [-]
+};
+
+scenes::Scene on_toe(const Toe& toe)
+{
+    scenes::Scene s = block(0.25, 1.0, 1e9);
+    if (toe.closure != dem::Closure::linear) {
+        s.closure = toe.closure;
+        s.joint.closing = {1e8, 2e-4, toe.loss, 1e10};
+        s.joint.kn = 1e8 + 45e3 / 2e-4;
+    }
+    s.joint.ks = 0.4 * s.joint.kn;
+    if (toe.strength > 0.0) s.joint.crushing = {toe.strength, 0.0};
     return s;
 }
 
@@ -379,6 +420,120 @@ TEST_CASE("shaking: ground that accelerates slowly pulls the whole mass along",
     CHECK(r.history.back().base_shear == Approx(-mass * 0.05 * kGravity).epsilon(0.02));
 }
 
+TEST_CASE("shaking: ground that accelerates slowly turns a block as far as body forces do, "
+          "whatever its toe",
+          "[dem][shaking]")
+{
+    const Toe toe = GENERATE(
+        values<Toe>({{"elastic", dem::Closure::linear, 0.0, 0.0, 0.2},
+                     {"crushes", dem::Closure::linear, 0.0, 0.15e6, 0.165},
+                     {"exponential", dem::Closure::exponential, 0.0, 0.0, 0.2},
+                     {"hyperbolic, loses", dem::Closure::hyperbolic, 0.3, 0.0, 0.2},
+                     {"exponential, crushes", dem::Closure::exponential, 0.0, 0.15e6, 0.165}}));
+    const scenes::Scene s = on_toe(toe);
+    const dem::Model m = scenes::model_of(s, rigid(9));
+    const dem::WallMaterials w = scenes::uniform(s, m);
+    dem::ShakePlan plan;
+    plan.step = 0.01;
+    for (int i = 0; i <= 2000; ++i)
+        plan.horizontal.push_back(-toe.factor * kGravity * i / 2000.0);
+    plan.free_vibration = 0.0;
+    const dem::ShakeResult r = dem::shake(m, w, plan);
+    INFO(toe.name << " ledger " << r.residual << " reductions " << r.step_reductions << " "
+                  << dem::name_of(r.outcome));
+    REQUIRE(r.outcome == dem::ShakeOutcome::stood);
+    CHECK(r.residual < 0.01);
+    const auto& last = r.history.back();
+    CHECK(last.displacement == Approx(pushed_to(m, w, -last.ground / kGravity)).epsilon(0.02));
+    CHECK((r.energy.crushing > 0.0) == (toe.strength > 0.0));
+}
+
+TEST_CASE("shaking: a block on a joint that closes swings with its tangent", "[dem][shaking]")
+{
+    const double k0 = 1e8, v = 1e-4, mass = 2300.0 * 2.0 * 0.5 * 0.2;
+    const double p = mass * kGravity / 0.4, tangent = k0 + p / v;
+    const double omega = std::sqrt(tangent * 0.4 / mass),
+                 period = 2.0 * std::numbers::pi / omega;
+    scenes::Scene s = block(1.0, 0.25, tangent);
+    s.closure = dem::Closure::exponential;
+    s.joint.closing = {k0, v, 0.0, 1e3 * k0};
+    s.joint.ks = 0.4 * tangent;
+    const double rest = v * std::log1p(p / (k0 * v));
+    dem::ShakePlan plan;
+    plan.step = 0.01;
+    plan.horizontal = {0.0, 0.0};
+    plan.released = {{0, 0.0, -1.02 * rest, 0.0}};
+    plan.free_vibration = 6.0 * period;
+    plan.snapshot_every = period / 400.0;
+    const dem::Model m = scenes::model_of(s, rigid());
+    const auto r = dem::shake(m, scenes::uniform(s, m), plan);
+    std::vector<double> times; // at which it passes its place of rest, downwards
+    for (std::size_t i = 1; i < r.snapshots.size(); ++i) {
+        const auto at = [&](std::size_t j) {
+            return r.snapshots[j].blocks[0].displacement[0].z + rest;
+        };
+        if (at(i - 1) > 0.0 && at(i) <= 0.0)
+            times.push_back(r.snapshot_times[i - 1] +
+                            at(i - 1) / (at(i - 1) - at(i)) *
+                                (r.snapshot_times[i] - r.snapshot_times[i - 1]));
+    }
+    REQUIRE(times.size() >= 5);
+    CHECK((times[4] - times[0]) / 4.0 == Approx(period).epsilon(5e-3));
+    CHECK(r.residual < 0.01);
+}
+
+TEST_CASE("shaking: the paper's wall with joints that close and toes that crush keeps its "
+          "energy balance",
+          "[dem][shaking]")
+{
+    scenes::Scene s = scenes::paper_wall(0.50);
+    s.loads.pattern = dem::LoadPattern::body;
+    s.wall.toe = dem::Toe::free;
+    s.closure = dem::Closure::exponential;
+    s.joint.closing = {4.87e9, 1.54e-4, 0.1, 100.0 * 4.87e9};
+    s.joint.crushing = {6e6, 25e3};
+    const dem::Model m = scenes::model_of(s, dem::discretisation_of(dem::Fidelity::simple));
+    dem::ShakePlan plan = half_sine(0.6 * kGravity, 0.2, 40);
+    plan.load = dem::LoadMass::floor;
+    plan.free_vibration = 0.1;
+    const auto r = dem::shake(m, scenes::uniform(s, m), plan);
+    INFO(dem::name_of(r.outcome) << " ledger " << r.residual << " reductions "
+                                 << r.step_reductions << " step " << r.time_step);
+    CHECK(r.outcome == dem::ShakeOutcome::stood);
+    CHECK(r.residual < 0.01);
+    CHECK(r.energy.crushing > 0.0);
+}
+
+TEST_CASE("shaking: a block on corners that become a hundred times stiffer keeps its energy",
+          "[dem][shaking]")
+{
+    // It rocks on its corners, which close to a hundred times their stiffness at rest.
+    const double b = 0.25, h = 1.0, k0 = 1e9, v = 1e-5, rest = 2300.0 * 2.0 * h * kGravity;
+    scenes::Scene s = block(b, h, k0 + rest / v);
+    s.closure = dem::Closure::hyperbolic;
+    s.joint.closing = {k0, v, 0.0, 1e3 * k0};
+    s.joint.ks = 0.4 * s.joint.kn;
+    const dem::Model m = scenes::model_of(s, rigid());
+    dem::ShakePlan plan = release(b, h, 0.3 * std::atan(b / h), 1.5);
+    plan.snapshot_every = 1e-3;
+    const auto r = dem::shake(m, scenes::uniform(s, m), plan);
+    double pressure = 0.0;
+    for (const dem::Snapshot& at : r.snapshots)
+        for (const dem::FaceState& f : at.faces)
+            for (const dem::ContactState& c : f.contacts)
+                pressure = std::max(pressure, -c.sigma);
+    const double secant = 1.0 + pressure / (k0 * v);
+    const double stiffest = std::min(1e3 * k0, k0 * secant * secant);
+    const double mass = 2300.0 * 2.0 * b * 2.0 * h * 0.2, area = 2.0 * b * 0.2;
+    INFO("step " << r.time_step << " reductions " << r.step_reductions << " pressure "
+                 << pressure << " stiffer by " << stiffest / s.joint.kn << " "
+                 << dem::name_of(r.outcome) << " ledger " << r.residual);
+    CHECK(stiffest > 20.0 * s.joint.kn);
+    CHECK(r.outcome == dem::ShakeOutcome::stood);
+    CHECK(r.residual < 0.01);
+    CHECK(r.time_step <= 0.2 * 2.0 * std::sqrt(mass / (stiffest * area)));
+}
+
 TEST_CASE("shaking: what cannot be shaken is refused in words", "[dem][shaking]")
 {
     const auto refused = [](const scenes::Scene& s, const char* word) {
@@ -393,9 +548,12 @@ TEST_CASE("shaking: what cannot be shaken is refused in words", "[dem][shaking]"
     refused(s, "leave the toe free");
     s = scenes::paper_wall(0.50);
     refused(s, "body forces");
-    s = good;
-    s.joint.crushing = {5e6, 1e3};
-    refused(s, "crush");
+    s = on_toe({"", dem::Closure::exponential, 0.0, 0.0, 0.0});
+    const dem::Model closes = scenes::model_of(s, rigid());
+    dem::ShakePlan damped = half_sine(1.0, 0.1, 10);
+    damped.contact_damping = 0.05;
+    CHECK_THROWS_WITH(dem::shake(closes, scenes::uniform(s, closes), damped),
+                      Catch::Matchers::Contains("joints that close have no dashpots"));
     const dem::Model m = model(good);
     dem::ShakePlan plan = half_sine(1.0, 0.1, 10);
     plan.horizontal[3] = NAN;
