@@ -81,11 +81,15 @@ void SeriesFolder::open()
 
 void SeriesFolder::add(const dem::Snapshot& wall)
 {
-    if (!trouble_.empty()) return;
-    if (!parent_) open();
     way_ += std::abs(wall.displacement - last_);
     last_ = wall.displacement;
-    const double time = way_ * 1e3;
+    add_at(way_ * 1e3, wall);
+}
+
+void SeriesFolder::add_at(double time, const dem::Snapshot& wall)
+{
+    if (!trouble_.empty()) return;
+    if (!parent_) open();
     if (times_.empty() || times_.back() != time) // two at one time would overlap
         times_.push_back(time);
     try {

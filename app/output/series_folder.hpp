@@ -33,6 +33,8 @@ class SeriesFolder {
     /// to have failed.
     /// @throws std::runtime_error if a file cannot be written
     void add(const dem::Snapshot& wall);
+    /// The same of a wall that is shaken, whose time is that of its history [s].
+    void add_at(double time, const dem::Snapshot& wall);
     /// Removes all that was added, because the push starts anew.
     void begin_anew();
     [[nodiscard]] bool empty() const { return times_.empty(); }
@@ -50,7 +52,7 @@ class SeriesFolder {
 
     std::filesystem::path folder_, part_;
     std::optional<MadeFolder> parent_; ///< once something is written
-    std::vector<double> times_;        ///< [mm]
+    std::vector<double> times_;        ///< [mm], of histories [s]
     double last_ = 0.0, way_ = 0.0;    ///< displacement of the last wall, and way up to it [m]
     std::string trouble_;
 };

@@ -4,6 +4,8 @@
 #include "app/input/study_reading.hpp"
 #include "app/output/markup.hpp"
 #include "app/output/progress.hpp"
+#include "app/output/result_folder.hpp"
+#include "app/output/series_folder.hpp"
 #include "app/output/table.hpp"
 #include "app/output/unique_names.hpp"
 #include "app/output/wall_svg.hpp"
@@ -19,6 +21,7 @@
 #include "app/text/words.hpp"
 #include "fragility/drift.hpp"
 
+#include <deque>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -61,6 +64,17 @@ std::string shaken_picture(const PreparedStudy& ready, const ShakenWall& w)
     return wall_picture(w.result.at_end, w.result.at_end, text);
 }
 
+/// The wall along its history, for ParaView.
+void add_series(const ShakenWall& w, SeriesFolder& series, const std::filesystem::path& folder,
+                std::vector<OutputFile>& moved)
+{
+    for (std::size_t i = 0; i < w.result.snapshots.size(); ++i)
+        series.add_at(w.result.snapshot_times[i], w.result.snapshots[i]);
+    if (series.empty()) return;
+    for (OutputFile& f : series.seal())
+        moved.push_back({folder / f.name, {}, std::move(f.from)});
+}
+
 } // namespace
 
 int shake_command(const Command& command)
@@ -88,6 +102,17 @@ int shake_command(const Command& command)
                                        "history.svg", "wall.svg", "film.svg"})
             names.push_back(folders.back() / name);
     }
+    // A series is large: it is written where the study asks for it in so many words.
+    const bool series = study.output.paraview && is_given(study.source, "output.paraview");
+    std::deque<SeriesFolder> folders_of_series;
+    for (const std::filesystem::path& folder : folders) {
+        if (!series) break;
+        const std::filesystem::path place =
+            std::filesystem::path(command.out) / folder / "series";
+        for (const std::filesystem::path& file : in_the_way_of_series(place))
+            names.push_back(file.lexically_relative(command.out));
+        folders_of_series.emplace_back(place);
+    }
     std::cerr << study_notes(ready, command.verb);
     if (const std::string note = check_results(command.out, names, kShakeList); !command.quiet)
         std::cerr << note;
@@ -95,7 +120,7 @@ int shake_command(const Command& command)
     const Study used = study.random.empty() ? study : with_drawn(study, wall);
     const std::string text = effective_configuration(used);
     std::vector<ShakenWall> walls;
-    std::vector<OutputFile> files;
+    std::vector<OutputFile> files, moved;
     std::optional<Progress> progress;
     const auto seen = [&](const ShakingMotion& m, double done, double top) {
         end_if_interrupted();
@@ -103,18 +128,24 @@ int shake_command(const Command& command)
             progress.emplace(std::cerr, stderr_progress(command.quiet), steady_seconds);
         progress->update(done, m.name + ", " + fixed(top * 1e3, 1) + " mm");
     };
-    shake_wall(ready, wall, motions, command.film ? kShakenFrame : 0.0, seen,
+    shake_wall(ready, wall, motions, command.film || series ? kShakenFrame : 0.0, seen,
                [&](ShakenWall&& shaken) {
                    if (progress) progress->finish(shaken.motion.name);
                    progress.reset();
                    const bool failed = shake_failed(shaken.result);
                    const std::string picture = failed ? "" : shaken_picture(ready, shaken);
                    const std::string film =
-                       failed ? "" : shaken_film(shaken, stone_tints(ready.layout));
+                       failed || !command.film ? ""
+                                               : shaken_film(shaken, stone_tints(ready.layout));
                    for (OutputFile& f : shake_files(shaken, text, picture, film))
                        files.push_back({folders[walls.size()] / f.name, std::move(f.content)});
+                   if (series)
+                       add_series(shaken, folders_of_series[walls.size()],
+                                  folders[walls.size()], moved);
+                   shaken.result.snapshots.clear();
                    walls.push_back(std::move(shaken));
                });
+    files.insert(files.end(), moved.begin(), moved.end());
     write_results(command.out, files, kShakeList);
     std::cout << as_text(shaken_table(walls), terminal_width())
               << "verified against closed forms, not validated\nwritten to " << command.out

@@ -163,6 +163,25 @@ TEST_CASE("shake command: bad input is refused with its place and a remedy", "[a
     CHECK_FALSE(fs::exists(folder.path / "out"));
 }
 
+TEST_CASE("shake command: a series for ParaView is written where the study asks for it",
+          "[app][shake]")
+{
+    const ShakeFolder folder;
+    const std::string loads = "[load]\nvertical_stress = 0.10 MPa\nmass = none\n[shaking]\n"
+                              "records = half_sine(peak 0.3 g, duration 0.3 s)\n";
+    REQUIRE(folder.shake(loads) == 0);
+    CHECK_FALSE(fs::exists(folder.path / "out" / "series"));
+    REQUIRE(folder.shake(loads + "[output]\nparaview = yes\n") == 0);
+    CHECK_FALSE(fs::exists(folder.path / "out" / "film.svg"));
+    const std::string pvd = folder.text("series/wall.pvd");
+    for (const char* time : {"timestep=\"0\"", "timestep=\"0.64", "timestep=\"1.0"})
+        CHECK_THAT(pvd, Contains(time));
+    CHECK_THAT(folder.text("series/wall_0002.vtu"), Contains("displacement"));
+    CHECK(fs::exists(folder.path / "out" / "series" / "joints.pvd"));
+    REQUIRE(folder.shake(loads) == 0); // takes away what is its own
+    CHECK_FALSE(fs::exists(folder.path / "out" / "series" / "wall.pvd"));
+}
+
 TEST_CASE("shake command: joints that close and crush are shaken", "[app][shake]")
 {
     const ShakeFolder folder;
