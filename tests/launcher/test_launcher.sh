@@ -307,6 +307,17 @@ claim_test_ends_with_the_count() {
         "drystone: building what changed"
 }
 
+claim_the_quick_tests_do_not_build_what_writes_pages() {
+    drystone test
+    expect_equal "the last line" "$(tail -n 1 "$box/out")" "2 passed, 0 failed"
+    expect_text "$box/err" "neither slow tests nor those of what writes docs/ did run"
+    expect_no_text "$box/calls" pages
+    drystone test all
+    expect_equal "the last line of all" "$(tail -n 1 "$box/out")" "3 passed, 0 failed"
+    expect_text "$box/err" "building what writes the pages of docs/"
+    expect_equal "the number of builds of pages" "$(grep -c pages "$box/calls")" 1
+}
+
 claim_the_tests_want_python_and_the_program_does_not() {
     echo python3 >"$box/absent"
     fake id <<<'echo 1000'
