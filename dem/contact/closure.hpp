@@ -111,36 +111,43 @@ template <class Real> [[nodiscard]] Real exp_beyond(Real x)
 }
 
 /// Pressure and shear stiffness of a joint that has closed.
-template <class Real> struct Closed {
-    Real p;       ///< [Pa]
-    Real root_ks; ///< sqrt(k_s) [sqrt(Pa/m)]
-    Real inverse; ///< of that
+template <Closure kClosure, class Real> struct Closed {
+    Real p;        ///< [Pa]
+    Real root_ks;  ///< sqrt(k_s) [sqrt(Pa/m)]
+    Real relative; ///< sqrt(1 + p / (k_0 V)); of a hyperbola its inverse [-]
+    /// 1 / root_ks. Most contacts have no use for it, and a division takes long.
+    [[nodiscard]] Real inverse_root_ks(const ClosureLaw<Real>& law) const
+    {
+        if constexpr (kClosure == Closure::hyperbolic) return law.inv_root_ks * relative;
+        return law.inv_root_ks * (Real(1.0) / relative);
+    }
 };
 
 /// @param w >= 0 [m]
 template <Closure kClosure, class Real>
-[[nodiscard, gnu::always_inline]] inline Closed<Real> closed_by(const ClosureLaw<Real>& law,
-                                                                Real w)
+[[nodiscard, gnu::always_inline]] inline Closed<kClosure, Real>
+closed_by(const ClosureLaw<Real>& law, Real w)
 {
+    constexpr bool kHyperbolic = kClosure == Closure::hyperbolic;
     const Real one(1.0), within = min(w, law.knee), x = within * law.inv_maximum;
     const auto beyond = w > law.knee;
-    Real p, root, inverse; // of 1 + p / (k_0 V)
-    if constexpr (kClosure == Closure::hyperbolic) {
+    Real p, root, relative; // root of 1 + p / (k_0 V)
+    if constexpr (kHyperbolic) {
         root = inverse_root(one - x);
-        inverse = (one - x) * root;
+        relative = (one - x) * root;
         p = law.k0 * within * (root * root);
     } else {
         root = exp_of(Real(0.5) * x);
-        inverse = one / root;
         p = law.rise * multiply_add(root, root, -one);
     }
     if (any(beyond)) {
         const Real farther = multiply_add(law.stiffest, w - within, p);
         root = select(beyond, sqrt(multiply_add(farther, law.inv_rise, one)), root);
-        inverse = select(beyond, one / root, inverse);
+        if constexpr (kHyperbolic) relative = select(beyond, one / root, relative);
         p = select(beyond, farther, p);
     }
-    return {p, law.root_ks * root, law.inv_root_ks * inverse};
+    if constexpr (!kHyperbolic) relative = root;
+    return {p, law.root_ks * root, relative};
 }
 
 /// p [Pa]. @param w >= 0 [m]
@@ -227,7 +234,8 @@ template <Closure kClosure, bool kLoses, class Real>
 {
     const Real zero(0.0), half(0.5);
     const Real u_n = s.u_n + du_n, w = max(zero, -u_n);
-    const auto [p, root, inverse] = closed_by<kClosure>(law, w);
+    const Closed<kClosure, Real> closed = closed_by<kClosure>(law, w);
+    const Real p = closed.p, root = closed.root_ks;
     Real acting = p, rest = s.rest, lost = zero;
     if constexpr (kLoses) {
         const Real most = law.mu * p;
@@ -247,14 +255,20 @@ template <Closure kClosure, bool kLoses, class Real>
     const Real trial = multiply_add(root, du_s, s.shear);
     const Real limit = acting * tan_phi, tau_trial = root * trial;
     const Real tau = max(-limit, min(limit, tau_trial));
-    const Real shear = select(abs(tau_trial) > limit, tau * inverse, trial),
-               slid = trial - shear;
+    const auto slips = abs(tau_trial) > limit;
+    Real shear = trial, slid = zero, slip = zero;
+    if (any(slips)) { // few contacts slip, and a division takes as long as the rest
+        const Real inverse = closed.inverse_root_ks(law);
+        shear = select(slips, tau * inverse, trial);
+        slid = trial - shear;
+        slip = slid * inverse;
+    }
     return {{u_n, shear, rest},
             zero - acting,
             tau,
             multiply_add(half * (s.shear + shear), slid, lost),
             lost,
-            slid * inverse,
+            slip,
             p};
 }
 

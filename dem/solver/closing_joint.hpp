@@ -107,7 +107,7 @@ template <Closure kClosure>
 [[nodiscard]] JointStiffness stiffness_of(const WallState<double>& s, int law, int k)
 {
     const ClosureLaw<double>& c = s.laws.closing[law];
-    const auto [p, root, inverse] = closed_by<kClosure>(c, max(0.0, -s.u_n[k]));
+    const auto [p, root, relative] = closed_by<kClosure>(c, max(0.0, -s.u_n[k]));
     return {tangent_at<kClosure>(c, p), root * root};
 }
 
