@@ -9,9 +9,9 @@
 namespace app {
 
 /// `drystone scene`: the wall that a study describes, before anything is computed. Writes
-/// scene.svg, laws.svg (law_picture.hpp), scene.json, scene.dxf and joints.csv, which says where
-/// each joint and crack is, and says what the wall is. scene.json and scene.dxf hold whole units in the unit of
-/// wall.length_unit, and are read again with wall.geometry.
+/// scene.svg, laws.svg (law_picture.hpp), scene.json, scene.dxf and joints.csv, which says
+/// where each joint and crack is, and says what the wall is. scene.json and scene.dxf hold
+/// whole units in the unit of wall.length_unit, and are read again with wall.geometry.
 [[nodiscard]] int scene_command(const Command& command);
 
 /// `drystone new`: a commented study of one's own wall, from options or, on a terminal,

@@ -8,7 +8,7 @@
 
 namespace bench {
 
-/// Of each stress and mode the wall whose peak is nearest the mean of the mode, drawn again and
+/// The wall of each stress and mode whose peak is nearest the mean of the mode, drawn again and
 /// pushed.
 /// @param file of the study, with all its walls
 /// @throws app::StoreError
