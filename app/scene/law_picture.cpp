@@ -168,9 +168,11 @@ Chart strength_chart(const DrawnLaw& law)
     const double slip = whole_slip(law, shear_bound(law, law.pressure));
     const auto add = [&](double sigma) {
         const std::vector<LawPoint> path = law.path(slipped(law, sigma, slip, kFine));
-        before.x.push_back(sigma * 1e-6);
+        // Pressed in steps, it carries a little more than asked for.
+        const double at = sigma > 0.0 ? sigma : path[path.size() - kFine - 1].sigma;
+        before.x.push_back(at * 1e-6);
         before.y.push_back(largest_shear(path) * 1e-6);
-        after.x.push_back(std::min(0.0, sigma) * 1e-6);
+        after.x.push_back(std::min(0.0, at) * 1e-6);
         after.y.push_back(path.back().tau * 1e-6);
     };
     for (int i = 0; i <= kPoints; ++i) add(law.pressure * (i - kPoints) / kPoints);
