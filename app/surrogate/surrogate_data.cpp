@@ -45,6 +45,7 @@ namespace {
 
 Eigen::VectorXd standardised(const Eigen::VectorXd& x)
 {
+    if (x.size() == 0) return x; // no wall has the response
     const Eigen::ArrayXd off = x.array() - x.mean();
     const double sd = std::sqrt(off.square().mean());
     return sd > 0.0 ? Eigen::VectorXd(off / sd) : Eigen::VectorXd::Zero(x.size());

@@ -264,6 +264,17 @@ TEST_CASE(
               .none.starts_with("Inputs vary from joint to joint"));
 }
 
+TEST_CASE("surrogate: a spatial study in which no wall has the response says so",
+          "[app][surrogate]")
+{
+    StudyWalls walls = smooth_walls(30);
+    walls.study.uq.spatial = Spatial::independent;
+    const SurrogateStudy s = surrogate_study(walls, surrogate_response("ultimate_drift"));
+    CHECK(s.levels.front().doubts ==
+          std::vector<std::string>{
+              "Only 0 walls have the response; a surrogate needs at least 10."});
+}
+
 TEST_CASE("surrogate: a study of more walls than asked for is learned from the first",
           "[app][surrogate]")
 {

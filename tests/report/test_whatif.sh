@@ -13,5 +13,4 @@ mkdir -p -- "$folder"
 for response in peak_force ultimate_drift; do
     "$drystone" surrogate "$folder/asked.h5" --of "$response" --out "$folder/$response" --quiet >"$folder/$response.txt"
 done
-# the other surrogate of each level, so that both kinds are compared whichever is the better one
 exec node "$here/test_whatif.mjs" "$drystone" "$folder"
