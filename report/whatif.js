@@ -69,7 +69,7 @@ class WhatIf {
         const level = r.levels[this.level];
         const block = element('div', { class: 'answer' }, element('h3', {}, r.name));
         if (!level.better) {
-            block.append(element('p', { class: 'note' }, `Not predicted. ${level.doubts.join(' ')}`));
+            block.append(element('p', { class: 'note' }, `Not predicted. ${level.doubts.join(' ')}`), ...this.leftOut(level));
             return block;
         }
         const { mean, lower, upper } = this.interval(r);
@@ -81,8 +81,12 @@ class WhatIf {
             intervalPicture({ mean, lower, upper }, level.range),
             element('p', { class: 'note' }, `Error on walls left out: ${withUnit(number(rmse), r.unit)}, Q2 ${fixed(q2, 2)}. Learned from ${level.walls} walls by a ${kind}.`),
             ...this.doubts(level).map((d) => element('p', { class: 'warning' }, d)),
-            ...(level.left_out ? [element('details', { class: 'about' }, element('summary', {}, 'Walls left out'), element('p', { class: 'note' }, level.left_out))] : []));
+            ...this.leftOut(level));
         return block;
+    }
+
+    leftOut(level) {
+        return level.left_out ? [element('details', { class: 'about' }, element('summary', {}, 'Walls left out'), element('p', { class: 'note' }, level.left_out))] : [];
     }
 
     /** Neither force nor drift is below 0. */

@@ -322,7 +322,7 @@ claims['sliders ask for walls that were not pushed, by keyboard too, and the ans
         assert.ok((await page.evaluate(say)).includes(`friction angle ${value}`));
         assert.notEqual(await page.evaluate(say), spoken);
         await page.evaluate(`${button('#whatif', '1.00 MPa')}.click()`);
-        assert.match(await page.evaluate(say), /^1\.00 MPa, friction angle .*: peak force [0-9.]+ kN, [0-9.]+ to [0-9.]+; ultimate drift/);
+        assert.match(await page.evaluate(say), /^1\.00 MPa, friction angle .*: peak force [0-9.]+ kN, [0-9.]+ to [0-9.]+(, not to be trusted)?; ultimate drift/);
         await page.evaluate(`${button('#whatif', '0.50 MPa')}.click(), ${button('#whatif', 'Median of each input')}.click()`);
         assert.deepEqual(await page.evaluate(answers), before);
     }, asked);
