@@ -105,10 +105,10 @@ constexpr std::size_t kMostAskedWalls = 200;
 constexpr std::size_t kAskedValues = 101; ///< places of a slider
 
 /// Surrogates of peak force and ultimate drift, and the modes, of each stress, for the page's
-/// sliders: {"none": why there are no sliders, "inputs": [{"key", "unit", "scale", "coordinate",
-/// "values": [...], "coordinates": [...], "start"}], "share", "factor", "responses": [{"name",
-/// "unit", "decimals", "levels": [...]}], "modes": [...]}; levels and modes as in surrogate.json
-/// (docs/surrogates.md), the better surrogate of both alone, with the sentence "left_out".
+/// sliders: {"none": why there are no sliders, "inputs": [{"key", "unit", "scale",
+/// "coordinate", "values": [...], "coordinates": [...], "start"}], "share", "factor",
+/// "responses": [{"name", "unit", "decimals", "levels": [...]}], "modes": [...]}; levels and
+/// modes as in surrogate.json (docs/surrogates.md), the better surrogate alone, "left_out".
 /// Sliders reach from the least to the most value of all walls of the study; coordinates are
 /// those of their values.
 [[nodiscard]] nlohmann::ordered_json whatif_json(const StudyWalls& study);

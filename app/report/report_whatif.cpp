@@ -28,8 +28,8 @@ std::string no_question(const StudyWalls& study)
     return {};
 }
 
-/// Values of an input that a slider takes, with their coordinates; as they are shown, so that
-/// the answer is that of the number that is read.
+/// Values of an input that a slider takes, with their coordinates. Between its ends they are
+/// rounded, so that the answer is that of the number that is read.
 Json asked_input(const StudyWalls& study, std::size_t k)
 {
     const StoredInput& input = study.inputs[k];

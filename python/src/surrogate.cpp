@@ -75,7 +75,7 @@ predicted(const Surrogate& s, std::size_t level, const GivenNumbers& x)
             {a.outside.begin(), a.outside.end()}};
 }
 
-/// Of each mode its name, its probabilities and their standard errors; empty: no model of them.
+/// Name, probabilities and standard errors of each mode; empty: there is no model of them.
 std::vector<std::tuple<std::string, std::vector<double>, std::vector<double>>>
 modes(const Surrogate& s, std::size_t level, const GivenNumbers& x)
 {

@@ -13,6 +13,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace app;
@@ -273,6 +274,29 @@ TEST_CASE("surrogate: a spatial study in which no wall has the response says so"
     CHECK(s.levels.front().doubts ==
           std::vector<std::string>{
               "Only 0 walls have the response; a surrogate needs at least 10."});
+}
+
+TEST_CASE(
+    "surrogate: walls that stand there twice are learned from, walls without a number are "
+    "named and left out",
+    "[app][surrogate]")
+{
+    StudyWalls walls = smooth_walls(60);
+    std::vector<StudyWall>& all = walls.levels.front().walls;
+    for (std::size_t i = 0; i < 20; ++i) {
+        all.push_back(all[i]);
+        all.back().key.sample += 1000;
+    }
+    all[3].reading.peak.reset();
+    all[4].reading.peak->force = std::nan("");
+    const SurrogateStudy s = surrogate_study(walls, surrogate_response("peak_force"));
+    const LevelSurrogate& level = s.levels.front();
+    CHECK(level.doubts.empty());
+    CHECK(level.points.y.size() == 78);
+    CHECK(level.left_out.allFinite());
+    CHECK(std::max(level.chaos_error.q2, level.process_error.q2) > 0.99);
+    CHECK(left_out_text(s, level).find("2 walls have no peak force and are left out: 0.50 MPa "
+                                       "sample 3, 0.50 MPa sample 4") != std::string::npos);
 }
 
 TEST_CASE("surrogate: a study of more walls than asked for is learned from the first",
