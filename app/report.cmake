@@ -1,5 +1,5 @@
 # The page: files of report/ become arrays of bytes in report_assets.cpp, so that the program needs no file beside it.
-set(report_modules format.js data.js chart.js loop.js capacity.js wall.js statistics.js tables.js main.js)
+set(report_modules format.js data.js chart.js loop.js capacity.js wall.js statistics.js tables.js surrogate.js whatif.js main.js)
 set(report_files page.html style.css vendor/uPlot.min.css vendor/uPlot.iife.min.js vendor/uPlot.LICENSE
     ${report_modules})
 list(TRANSFORM report_files PREPEND ${PROJECT_SOURCE_DIR}/report/)
@@ -30,6 +30,7 @@ drystone_app_library(report
     report/report_overview.cpp
     report/report_page.cpp
     report/report_replay.cpp
+    report/report_whatif.cpp
     report/shaken_report.cpp)
 target_include_directories(drystone_app_report PUBLIC ${PROJECT_BINARY_DIR}/generated)
-target_link_libraries(drystone_app_report PUBLIC drystone_app_fragility drystone_app_shake nlohmann_json::nlohmann_json PRIVATE ZLIB::ZLIB)
+target_link_libraries(drystone_app_report PUBLIC drystone_app_fragility drystone_app_shake drystone_app_surrogate nlohmann_json::nlohmann_json PRIVATE ZLIB::ZLIB)

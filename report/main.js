@@ -5,6 +5,7 @@ import { Capacity } from './capacity.js';
 import { WallView } from './wall.js';
 import { cycles, fragility, modes, histograms, running, sensitivity } from './statistics.js';
 import { folded, scrolled, table, provenance } from './tables.js';
+import { whatif } from './whatif.js';
 
 const note = (text) => element('p', { class: 'note' }, text);
 
@@ -56,6 +57,13 @@ async function curvesAndWall(data) {
     await view.open(data.films.films[0].wall);
 }
 
+/** Walls that were never run. */
+function asking(data) {
+    const host = section('whatif', 'What if');
+    if (!data.whatif.none) host.append(note('Walls that were not pushed, by what was learned from those of this study; sliders reach from its least to its most value. How: docs/surrogates.md; drystone surrogate keeps the same in a file.'));
+    whatif(data, host);
+}
+
 function statistics(data) {
     const add = (id, ...names) => document.getElementById(id).append(...names.map((name) => table(data.tables[name])));
     if (data.loops) {
@@ -91,6 +99,7 @@ async function start() {
     overview(data);
     await curvesAndWall(data);
     behind(data);
+    asking(data);
     statistics(data);
     section('walls', 'All walls', table(data.tables.walls));
     provenance(data, section('provenance', 'Provenance'));

@@ -48,7 +48,7 @@ std::optional<double> positive_at(const Csv& csv, const CsvRow& row,
 {
     if (!column || is_missing(trimmed(row.cells[column->place]))) return {};
     const double x = number_at(csv, row, column->place);
-    if (!(x > 0.0) || !std::isfinite(x))
+    if (!(x > 0.0))
         refuse_cell(csv, row, column->place,
                     "must be above 0; write NA if it was not measured");
     return x;

@@ -184,6 +184,7 @@ Json report_data(const StudyWalls& study, const WallList& listed, const FitProgr
             {"histograms", histograms_json(study)},
             {"running", running_json(study)},
             {"sensitivity", sensitivity_json(study)},
+            {"whatif", whatif_json(study)},
             {"tables", tables_json(study, data, listed)},
             {"provenance", provenance_json(study)}};
 }

@@ -99,4 +99,18 @@ constexpr int kLoopPoints = 4; ///< from one frame of a film to the next
 /// does not fit the shares, which the note says.
 [[nodiscard]] nlohmann::ordered_json modes_json(const StudyWalls& study);
 
+/// Walls of a stress that the page's surrogates are learned from (choice): those of
+/// `drystone surrogate` where a study has no more. A process of 200 walls is 12 kB of the page.
+constexpr std::size_t kMostAskedWalls = 200;
+constexpr std::size_t kAskedValues = 101; ///< places of a slider
+
+/// Surrogates of peak force and ultimate drift, and the modes, of each stress, for the page's
+/// sliders: {"none": why there are no sliders, "inputs": [{"key", "unit", "scale",
+/// "coordinate", "values": [...], "coordinates": [...], "start"}], "share", "factor",
+/// "responses": [{"name", "unit", "decimals", "levels": [...]}], "modes": [...]}; levels and
+/// modes as in surrogate.json (docs/surrogates.md), the better surrogate alone, "left_out".
+/// Sliders reach from the least to the most value of all walls of the study; coordinates are
+/// those of their values.
+[[nodiscard]] nlohmann::ordered_json whatif_json(const StudyWalls& study);
+
 } // namespace app

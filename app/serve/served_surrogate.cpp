@@ -31,9 +31,33 @@ std::vector<ServedColumn> outputs_of(const WallNumber& response, const LearnedLe
     const std::string name(response.name), unit(response.unit.si);
     const std::string doubt =
         level.doubts.empty() ? "" : "; not to be trusted: " + level.doubts.front();
-    return {{name, unit, meaning(response) + ", learned" + doubt},
-            {name + "_sd", unit, "standard deviation of one wall about it"},
-            {"outside", "-", "inputs beyond those of the walls learned from"}};
+    std::vector<ServedColumn> columns = {
+        {name, unit, meaning(response) + ", learned" + doubt},
+        {name + "_sd", unit, "standard deviation of one wall about it"},
+        {"outside", "-", "inputs beyond those of the walls learned from"}};
+    if (!level.modes) return columns;
+    const std::string unsure = level.modes->doubts.empty()
+                                   ? ""
+                                   : "; not to be trusted: " + level.modes->doubts.front();
+    for (const std::string& mode : level.modes->names) {
+        columns.push_back({mode, "-", "probability of this failure mode, learned" + unsure});
+        columns.push_back({mode + "_sd", "-", "standard error of that probability"});
+    }
+    return columns;
+}
+
+std::vector<double> answer_of(const LearnedSurrogate& s, const LearnedLevel& level,
+                              std::span<const double> x)
+{
+    const Eigen::MatrixXd row =
+        Eigen::Map<const Eigen::RowVectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
+    const SurrogateAnswers a = predict(s, level, row);
+    std::vector values = {a.mean(0), a.sd(0), static_cast<double>(a.outside(0))};
+    if (!level.modes) return values;
+    const ModeAnswers modes = predict_modes(s, level, row);
+    for (Eigen::Index k = 0; k < modes.probability.cols(); ++k)
+        values.insert(values.end(), {modes.probability(0, k), modes.sd(0, k)});
+    return values;
 }
 
 } // namespace
@@ -52,10 +76,7 @@ surrogate_models(const std::shared_ptr<const LearnedSurrogate>& surrogate)
         model.outputs = outputs_of(response, level);
         // the list keeps the level alive
         model.evaluate = [surrogate, at = &level](std::span<const double> x) {
-            const Eigen::MatrixXd row = Eigen::Map<const Eigen::RowVectorXd>(
-                x.data(), static_cast<Eigen::Index>(x.size()));
-            const SurrogateAnswers a = predict(*surrogate, *at, row);
-            return std::vector{a.mean(0), a.sd(0), static_cast<double>(a.outside(0))};
+            return answer_of(*surrogate, *at, x);
         };
         models.push_back(std::move(model));
     }

@@ -2,6 +2,7 @@
 
 #include "app/input/key_values.hpp"
 #include "app/input/units.hpp"
+#include "app/study/stress_text.hpp"
 #include "app/surrogate/surrogate_output.hpp"
 #include "app/text/config_error.hpp"
 #include "app/text/json_text.hpp"
@@ -36,7 +37,7 @@ Matrix matrix_at(const Json& object, const char* key, std::size_t columns)
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (rows[i].size() != columns)
             throw Damage(std::string(key) + ": a row has " + std::to_string(rows[i].size()) +
-                         " numbers, and there are " + std::to_string(columns) + " inputs");
+                         " numbers, and must have " + std::to_string(columns));
         for (std::size_t j = 0; j < columns; ++j)
             m(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
                 rows[i][j].get<typename Matrix::Scalar>();
@@ -100,11 +101,31 @@ Eigen::VectorXd range_at(const Json& level, const char* end,
     return x;
 }
 
+/// Files of an earlier version have no modes.
+std::optional<LearnedModes> learned_modes(const Json& level, std::size_t inputs)
+{
+    if (!level.contains("modes") || !level["modes"].contains("coefficients")) return {};
+    const Json& j = level["modes"];
+    LearnedModes m;
+    m.names = j.at("names").get<std::vector<std::string>>();
+    m.doubts = j.at("doubts").get<std::vector<std::string>>();
+    m.model.outcome = fragility::ModelOutcome::converged;
+    m.model.coefficients = matrix_at<Eigen::MatrixXd>(j, "coefficients", 1 + inputs);
+    const auto size = static_cast<std::size_t>(m.model.coefficients.size());
+    m.model.covariance = matrix_at<Eigen::MatrixXd>(j, "covariance", size);
+    if (m.names.size() < 2 ||
+        m.model.coefficients.rows() + 1 != static_cast<Eigen::Index>(m.names.size()) ||
+        m.model.covariance.rows() != m.model.covariance.cols())
+        throw Damage("modes: names, coefficients and covariance do not fit together");
+    return m;
+}
+
 LearnedLevel learned_level(const Json& j, const std::vector<LearnedInput>& inputs)
 {
     LearnedLevel level;
     level.stress = j.at("vertical_stress_MPa").get<double>() * 1e6;
     level.doubts = j.at("doubts").get<std::vector<std::string>>();
+    level.modes = learned_modes(j, inputs.size());
     if (j.at("better").is_null()) return level;
     level.least = range_at(j, "least", inputs);
     level.most = range_at(j, "most", inputs);
@@ -199,6 +220,24 @@ SurrogateAnswers predict(const LearnedSurrogate& s, const LearnedLevel& level,
             const double room = kRounding * (level.most(k) - level.least(k));
             a.outside(i) +=
                 x(i, k) < level.least(k) - room || x(i, k) > level.most(k) + room ? 1 : 0;
+        }
+    return a;
+}
+
+ModeAnswers predict_modes(const LearnedSurrogate& s, const LearnedLevel& level,
+                          const Eigen::MatrixXd& x)
+{
+    if (!level.modes)
+        throw std::runtime_error("there are no modes of " + stress_text(level.stress));
+    const Eigen::MatrixXd c = surrogate_coordinates(s, x);
+    const auto modes = static_cast<Eigen::Index>(level.modes->names.size());
+    ModeAnswers a{Eigen::MatrixXd(c.rows(), modes), Eigen::MatrixXd(c.rows(), modes)};
+    for (Eigen::Index i = 0; i < c.rows(); ++i)
+        for (Eigen::Index k = 0; k < modes; ++k) {
+            const auto p = fragility::mode_probability(level.modes->model, static_cast<int>(k),
+                                                       c.row(i).transpose());
+            a.probability(i, k) = p.value;
+            a.sd(i, k) = std::isfinite(p.std_error) ? p.std_error : 0.0; // a certain mode
         }
     return a;
 }

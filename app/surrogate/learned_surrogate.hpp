@@ -1,6 +1,7 @@
 #pragma once
 /// A surrogate that was kept in a file: walls that were never run.
 
+#include "fragility/mode_model.hpp"
 #include "uq/marginals/marginal.hpp"
 #include "uq/surrogates/gaussian_process.hpp"
 #include "uq/surrogates/polynomial_chaos.hpp"
@@ -20,6 +21,13 @@ struct LearnedInput {
     uq::Marginal marginal{}; ///< in SI
 };
 
+/// Failure modes of one stress.
+struct LearnedModes {
+    std::vector<std::string> names; ///< "rocking"
+    fragility::ModeModel model;     ///< in the coordinates
+    std::vector<std::string> doubts;
+};
+
 /// The better surrogate of one stress.
 struct LearnedLevel {
     double stress = 0.0;             ///< [Pa]
@@ -27,8 +35,9 @@ struct LearnedLevel {
     Eigen::VectorXd least, most;     ///< of each input on the walls learned from, in SI
     std::optional<uq::PolynomialChaos> chaos;
     std::optional<uq::GaussianProcess> process; ///< one of both, or none
-    double rmse = 0.0;      ///< of walls left out, shown unit of the response
-    double inflation = 1.0; ///< of the variance of the process, uq::inflation_of()
+    double rmse = 0.0;                 ///< of walls left out, shown unit of the response
+    double inflation = 1.0;            ///< of the variance of the process, uq::inflation_of()
+    std::optional<LearnedModes> modes; ///< nothing: the walls gave no model of them
 };
 
 struct LearnedSurrogate {
@@ -65,5 +74,16 @@ struct SurrogateAnswers {
 /// @throws BadValue as surrogate_coordinates, std::runtime_error if the level has no surrogate
 [[nodiscard]] SurrogateAnswers predict(const LearnedSurrogate& s, const LearnedLevel& level,
                                        const Eigen::MatrixXd& x);
+
+/// Probabilities of the modes, walls x modes in the order of LearnedModes::names.
+struct ModeAnswers {
+    Eigen::MatrixXd probability;
+    Eigen::MatrixXd sd; ///< standard errors
+};
+
+/// @param x in SI, walls x inputs
+/// @throws BadValue as surrogate_coordinates, std::runtime_error if the level has no modes
+[[nodiscard]] ModeAnswers predict_modes(const LearnedSurrogate& s, const LearnedLevel& level,
+                                        const Eigen::MatrixXd& x);
 
 } // namespace app

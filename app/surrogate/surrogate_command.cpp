@@ -3,7 +3,6 @@
 #include "app/output/markup.hpp"
 #include "app/output/result_folder.hpp"
 #include "app/output/table_files.hpp"
-#include "app/sampling/study_dependence.hpp"
 #include "app/study/fragility_text.hpp"
 #include "app/study/study_file_head.hpp"
 #include "app/surrogate/surrogate_output.hpp"
@@ -23,6 +22,7 @@ std::vector<OutputFile> surrogate_files(const SurrogateStudy& s)
     std::vector<OutputFile> files = {{"surrogate.json", surrogate_json(s)}};
     add_table(files, "surrogate", surrogate_table(s));
     add_table(files, "indices", surrogate_index_table(s));
+    add_table(files, "modes", surrogate_mode_table(s));
     add_table(files, "walls", surrogate_wall_table(s));
     for (const LevelSurrogate& l : s.levels)
         if (l.left_out.size() > 0) files.push_back({picture_name(l), surrogate_picture(s, l)});
@@ -41,18 +41,11 @@ int surrogate_command(const Command& command)
         !command.quiet)
         std::cerr << note;
     const StudyWalls walls = read_study_walls(command.study, {}, Keep::means);
-    SurrogateStudy s{&walls, &response, surrogate_inputs(walls), {}};
-    std::vector<uq::PolynomialFamily> families;
-    for (const std::size_t k : s.inputs)
-        families.push_back(uq::family_of(*walls.inputs[k].marginal));
-    const bool dependent =
-        dependence_of(walls.study).has_value() || !walls.study.uq.together.empty();
-    for (std::size_t level = 0; level < walls.levels.size(); ++level)
-        s.levels.push_back(fit_surrogate(surrogate_points(walls, level, s.inputs, response),
-                                         families, dependent, walls.study.uq.seed));
+    const SurrogateStudy s = surrogate_study(walls, response);
     write_results(command.out, surrogate_files(s));
     const std::size_t width = terminal_width();
-    for (const Table& t : {surrogate_table(s), surrogate_index_table(s)})
+    for (const Table& t :
+         {surrogate_table(s), surrogate_index_table(s), surrogate_mode_table(s)})
         std::cout << t.title << "\n" << as_text(t, width) << "\n";
     std::cout << wrapped(surrogate_remarks(s), width) << "written to " << command.out
               << "; surrogate.json there predicts walls that were never run\n";

@@ -45,6 +45,7 @@ namespace {
 
 Eigen::VectorXd standardised(const Eigen::VectorXd& x)
 {
+    if (x.size() == 0) return x; // no wall has the response
     const Eigen::ArrayXd off = x.array() - x.mean();
     const double sd = std::sqrt(off.square().mean());
     return sd > 0.0 ? Eigen::VectorXd(off / sd) : Eigen::VectorXd::Zero(x.size());
@@ -59,9 +60,30 @@ bool varies_inside(const StudyWalls& walls, const std::vector<std::size_t>& inpu
 
 } // namespace
 
+std::string no_coordinates(const StudyWalls& walls, const std::vector<std::size_t>& inputs)
+{
+    if (!varies_inside(walls, inputs)) return {};
+    return "Inputs vary from joint to joint (uq.spatial), and a surrogate takes one value per "
+           "wall; run a study with uq.spatial = none for one.";
+}
+
+Eigen::MatrixXd wall_coordinates(const StudyWalls& walls, const WallList& list,
+                                 const std::vector<std::size_t>& inputs)
+{
+    Eigen::MatrixXd c(static_cast<Eigen::Index>(list.size()),
+                      static_cast<Eigen::Index>(inputs.size()));
+    for (std::size_t j = 0; j < inputs.size(); ++j) {
+        const StoredInput& input = walls.inputs[inputs[j]];
+        for (std::size_t i = 0; i < list.size(); ++i)
+            c(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
+                uq::coordinate(*input.marginal, list[i]->inputs[inputs[j]] / input.scale);
+    }
+    return c;
+}
+
 SurrogatePoints surrogate_points(const StudyWalls& walls, std::size_t level,
                                  const std::vector<std::size_t>& inputs,
-                                 const WallNumber& response)
+                                 const WallNumber& response, std::size_t most)
 {
     const StudyLevel& from = walls.levels[level];
     SurrogatePoints p;
@@ -75,7 +97,7 @@ SurrogatePoints surrogate_points(const StudyWalls& walls, std::size_t level,
             p.bounds.push_back(w.key);
         else if (!std::isfinite(value))
             p.without.push_back(w.key);
-        else if (used.size() == kMostSurrogateWalls)
+        else if (used.size() == most)
             ++p.beyond;
         else {
             used.push_back(&w);
@@ -84,27 +106,21 @@ SurrogatePoints surrogate_points(const StudyWalls& walls, std::size_t level,
     }
     const auto n = static_cast<Eigen::Index>(used.size());
     const auto d = static_cast<Eigen::Index>(inputs.size());
-    const bool inside = varies_inside(walls, inputs);
     p.x.resize(n, d);
     p.coordinates.resize(n, d);
     p.y = Eigen::Map<const Eigen::VectorXd>(y.data(), n);
     for (Eigen::Index i = 0; i < n; ++i) {
         const StudyWall& w = *used[static_cast<std::size_t>(i)];
         p.sample.push_back(w.key.sample);
-        for (Eigen::Index j = 0; j < d; ++j) {
-            const std::size_t k = inputs[static_cast<std::size_t>(j)];
-            p.x(i, j) = w.inputs[k];
-            if (!inside)
-                p.coordinates(i, j) = uq::coordinate(*walls.inputs[k].marginal,
-                                                     w.inputs[k] / walls.inputs[k].scale);
-        }
+        for (Eigen::Index j = 0; j < d; ++j)
+            p.x(i, j) = w.inputs[inputs[static_cast<std::size_t>(j)]];
     }
-    if (inside) {
-        p.no_coordinates =
-            "Inputs vary from joint to joint (uq.spatial), and a surrogate takes one value per "
-            "wall; run a study with uq.spatial = none for one. Cramer-von Mises and HSIC are "
-            "those of the "
-            "means over the joints of a wall.";
+    p.no_coordinates = no_coordinates(walls, inputs);
+    if (p.no_coordinates.empty())
+        p.coordinates = wall_coordinates(walls, used, inputs);
+    else {
+        p.no_coordinates += " Cramer-von Mises and HSIC are those of the means over the joints "
+                            "of a wall.";
         for (Eigen::Index j = 0; j < d; ++j) p.coordinates.col(j) = standardised(p.x.col(j));
     }
     return p;

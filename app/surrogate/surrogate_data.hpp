@@ -27,7 +27,7 @@ struct SurrogatePoints {
     std::vector<WallKey> without; ///< the response is not defined
     std::vector<WallKey> bounds;  ///< the push ended before: only a lower bound is known
     std::size_t failed = 0,
-                beyond = 0; ///< walls that gave no result; more than kMostSurrogateWalls
+                beyond = 0; ///< walls that gave no result; more than were asked for
 };
 
 /// One of the first kJudged rows of kWallNumbers.
@@ -38,10 +38,20 @@ struct SurrogatePoints {
 /// @throws ConfigError where nothing is random, or the distribution of an input is not known
 [[nodiscard]] std::vector<std::size_t> surrogate_inputs(const StudyWalls& walls);
 
+/// Why the inputs of a wall have no coordinates: a sentence; empty: they have.
+[[nodiscard]] std::string no_coordinates(const StudyWalls& walls,
+                                         const std::vector<std::size_t>& inputs);
+
+/// Coordinates of walls, a row for each, of inputs that have them.
+[[nodiscard]] Eigen::MatrixXd wall_coordinates(const StudyWalls& walls, const WallList& list,
+                                               const std::vector<std::size_t>& inputs);
+
 /// Inputs that vary from joint to joint count with their means over the joints of a wall. These
 /// have no coordinates, so that no surrogate is learned from them.
+/// @param most walls, the first that have the response
 [[nodiscard]] SurrogatePoints surrogate_points(const StudyWalls& walls, std::size_t level,
                                                const std::vector<std::size_t>& inputs,
-                                               const WallNumber& response);
+                                               const WallNumber& response,
+                                               std::size_t most = kMostSurrogateWalls);
 
 } // namespace app

@@ -14,8 +14,6 @@
 namespace app {
 namespace {
 
-constexpr Eigen::Index kFewestWalls = 10;
-
 /// Whether the response varies by more than rounding.
 bool varies(const Eigen::VectorXd& y)
 {
@@ -76,6 +74,18 @@ void judge(LevelSurrogate& s)
                            number(q2, 2) + "): a mean between them is no wall's.");
 }
 
+/// Walls that outlast their push are left out: where they are many, an answer is that of the
+/// others. Shares of the variance are still theirs.
+void judge_bounds(LevelSurrogate& s)
+{
+    const auto bounds = static_cast<double>(s.points.bounds.size());
+    const auto all = bounds + static_cast<double>(s.points.sample.size());
+    if (!(s.chaos || s.process) || !(bounds > kMostBounds * all)) return;
+    s.doubts.push_back(number(bounds, 6) + " of " + number(all, 6) +
+                       " walls outlast the push and are left out: it holds for walls that do "
+                       "not; push further.");
+}
+
 /// The estimate where it can be a result.
 std::optional<uq::Estimate> as_result(const uq::Estimate& e)
 {
@@ -112,10 +122,10 @@ LevelSurrogate fit_surrogate(SurrogatePoints points,
     LevelSurrogate s;
     s.points = std::move(points);
     const Eigen::Index n = s.points.y.size();
-    if (n < kFewestWalls)
+    if (n < static_cast<Eigen::Index>(kFewestSurrogateWalls))
         s.doubts.push_back("Only " + std::to_string(n) +
                            " walls have the response; a surrogate needs at least " +
-                           std::to_string(kFewestWalls) + ".");
+                           std::to_string(kFewestSurrogateWalls) + ".");
     else if (!varies(s.points.y))
         s.doubts.emplace_back(
             "The response is the same on all walls: there is nothing to learn.");
@@ -138,6 +148,7 @@ LevelSurrogate fit_surrogate(SurrogatePoints points,
     else if (!(s.chaos_error.q2 >= kTrustedQ2))
         s.no_indices =
             "The chaos, which gives the indices, explains less than half of the variance.";
+    judge_bounds(s);
     return s;
 }
 

@@ -20,6 +20,8 @@ constexpr double kExplainedQ2 =
 constexpr double kOneHeapLevel = 0.05;    ///< of the test of one heap [-]
 constexpr double kDependsLevel = 0.05;    ///< of the test of independence [-]
 constexpr std::size_t kWallsPerInput = 5; ///< at least; choice
+constexpr double kMostBounds = 0.1;       ///< share of walls that outlast the push; choice
+constexpr std::size_t kFewestSurrogateWalls = 10; ///< of any surrogate; choice
 
 /// Error on walls that a surrogate has not seen: Q2 = 1 - mean square residual / variance.
 struct SurrogateError {

@@ -105,6 +105,20 @@ Json indices_json(const SurrogateStudy& s, const LevelSurrogate& l)
     return all;
 }
 
+/// Modes: ln(P(names[k]) / P(names[0])) = coefficients[k - 1] (1, c).
+Json modes_json(const ModeSurrogate& m)
+{
+    Json names = Json::array(), doubts = Json::array();
+    for (const int mode : m.modes) names.push_back(mode_name(mode));
+    for (const std::string& d : m.doubts) doubts.push_back(d);
+    Json j = {{"walls", m.walls}, {"names", names}, {"none", m.none}, {"doubts", doubts}};
+    if (!m.none.empty()) return j;
+    j["error"] = {{"right", m.right}, {"skill", m.skill}};
+    j["coefficients"] = exact_rows(m.model.coefficients);
+    j["covariance"] = exact_rows(m.model.covariance);
+    return j;
+}
+
 Json level_json(const SurrogateStudy& s, const LevelSurrogate& l)
 {
     Json doubts = Json::array();
@@ -127,7 +141,7 @@ Json level_json(const SurrogateStudy& s, const LevelSurrogate& l)
 
 } // namespace
 
-std::string surrogate_json(const SurrogateStudy& s)
+Json surrogate_data(const SurrogateStudy& s)
 {
     Json j = {{"format", kSurrogateFormat},
               {"study", s.walls->name},
@@ -137,8 +151,16 @@ std::string surrogate_json(const SurrogateStudy& s)
     j["inputs"] = Json::array();
     for (const std::size_t k : s.inputs) j["inputs"].push_back(input_json(s, k));
     j["surrogates"] = Json::array();
-    for (const LevelSurrogate& l : s.levels) j["surrogates"].push_back(level_json(s, l));
-    return text_of(j, 1) + "\n";
+    for (std::size_t i = 0; i < s.levels.size(); ++i) {
+        j["surrogates"].push_back(level_json(s, s.levels[i]));
+        j["surrogates"].back()["modes"] = i < s.modes.size() ? modes_json(s.modes[i]) : Json();
+    }
+    return j;
+}
+
+std::string surrogate_json(const SurrogateStudy& s)
+{
+    return text_of(surrogate_data(s), 1) + "\n";
 }
 
 } // namespace app

@@ -2,7 +2,10 @@
 /// Files and words of the verb surrogate.
 
 #include "app/output/table.hpp"
+#include "app/surrogate/mode_surrogate.hpp"
 #include "app/surrogate/surrogate_fit.hpp"
+
+#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 #include <vector>
@@ -17,7 +20,14 @@ struct SurrogateStudy {
     const WallNumber* response;
     std::vector<std::size_t> inputs; ///< places in StudyWalls::inputs
     std::vector<LevelSurrogate> levels;
+    std::vector<ModeSurrogate> modes; ///< of each level
 };
+
+/// Both surrogates of the response, and the modes, of every stress.
+/// @param most walls of a stress that are learned from
+[[nodiscard]] SurrogateStudy surrogate_study(const StudyWalls& walls,
+                                             const WallNumber& response,
+                                             std::size_t most = kMostSurrogateWalls);
 
 /// Rows by stress and kind of surrogate: walls, Q2, RMSE, whether it is the better one and is
 /// to be trusted.
@@ -31,14 +41,22 @@ struct SurrogateStudy {
 /// Rows by wall: the response and what the better surrogate says of it without it.
 [[nodiscard]] Table surrogate_wall_table(const SurrogateStudy& s);
 
-/// JSON text with what is needed to predict; the format is in docs/surrogates.md.
+/// Rows by stress: how well the failure mode of a wall is told from its inputs.
+[[nodiscard]] Table surrogate_mode_table(const SurrogateStudy& s);
+
+/// Everything that is needed to predict; the format is in docs/surrogates.md.
+[[nodiscard]] nlohmann::ordered_json surrogate_data(const SurrogateStudy& s);
+/// The same as text.
 [[nodiscard]] std::string surrogate_json(const SurrogateStudy& s);
 
 /// Predicted against true, of walls left out.
 [[nodiscard]] std::string surrogate_picture(const SurrogateStudy& s,
                                             const LevelSurrogate& level);
 
-/// Doubts, and walls that were left out, with names.
+/// Walls of a stress that were left out, with names: a line for each reason.
+[[nodiscard]] std::string left_out_text(const SurrogateStudy& s, const LevelSurrogate& level);
+
+/// Doubts, and walls that were left out.
 [[nodiscard]] std::string surrogate_remarks(const SurrogateStudy& s);
 
 } // namespace app

@@ -53,29 +53,6 @@ void add_index_row(const SurrogateStudy& s, const LevelSurrogate& l, std::size_t
     add_row(t, row, note);
 }
 
-std::string left_out_text(const SurrogateStudy& s, const LevelSurrogate& l)
-{
-    std::string text;
-    const std::string at = stress_text(l.points.stress) + ": ";
-    if (!l.points.without.empty())
-        text += at + counted(l.points.without.size(), "wall has", "walls have") + " no " +
-                words(*s.response) + " and " + (l.points.without.size() == 1 ? "is" : "are") +
-                " left out: " + named(*s.walls, l.points.without, kNamedWalls) + "\n";
-    if (!l.points.bounds.empty())
-        text += at + counted(l.points.bounds.size(), "wall outlasts", "walls outlast") +
-                " the push, so that only a bound of the " + words(*s.response) +
-                " is known, and " + (l.points.bounds.size() == 1 ? "is" : "are") +
-                " left out: " + named(*s.walls, l.points.bounds, kNamedWalls) +
-                ". What is learned holds for the others; push further to keep them.\n";
-    if (l.points.failed > 0)
-        text += at + counted(l.points.failed, "wall", "walls") + " failed and " +
-                (l.points.failed == 1 ? "is" : "are") + " left out.\n";
-    if (l.points.beyond > 0)
-        text += at + "learned from the first " + std::to_string(kMostSurrogateWalls) +
-                " walls; " + std::to_string(l.points.beyond) + " more are in the file.\n";
-    return text;
-}
-
 } // namespace
 
 Table surrogate_table(const SurrogateStudy& s)
@@ -152,6 +129,28 @@ Table surrogate_wall_table(const SurrogateStudy& s)
     return t;
 }
 
+Table surrogate_mode_table(const SurrogateStudy& s)
+{
+    Table t;
+    t.title = "How well the failure mode of a wall is told without running it";
+    t.caption =
+        "Multinomial logit in the coordinates of the inputs, on walls left out (tenth by "
+        "tenth): walls whose likeliest mode is theirs, and Brier's skill over the "
+        "shares of the modes (1: no error, 0: as good as the shares).";
+    t.head = {"stress [MPa]", "walls", "modes", "right [%]", "skill", {"note", kNote}};
+    for (std::size_t i = 0; i < s.modes.size(); ++i) {
+        const ModeSurrogate& m = s.modes[i];
+        std::string modes;
+        for (const int mode : m.modes)
+            modes += (modes.empty() ? "" : ", ") + std::string(mode_name(mode));
+        Row row = {stress_cell(s.levels[i].points.stress), count(m.walls), modes};
+        if (m.none.empty())
+            row = joined(row, {plain_number(100.0 * m.right, 0), plain_number(m.skill, 2)});
+        add_row(t, row, m.none + joined_sentences(m.doubts));
+    }
+    return t;
+}
+
 std::string surrogate_picture(const SurrogateStudy& s, const LevelSurrogate& l)
 {
     const std::string what =
@@ -174,6 +173,29 @@ std::string surrogate_picture(const SurrogateStudy& s, const LevelSurrogate& l)
                         .line = LineStyle::none,
                         .points = true});
     return line_chart(c);
+}
+
+std::string left_out_text(const SurrogateStudy& s, const LevelSurrogate& l)
+{
+    std::string text;
+    const std::string at = stress_text(l.points.stress) + ": ";
+    if (!l.points.without.empty())
+        text += at + counted(l.points.without.size(), "wall has", "walls have") + " no " +
+                words(*s.response) + " and " + (l.points.without.size() == 1 ? "is" : "are") +
+                " left out: " + named(*s.walls, l.points.without, kNamedWalls) + "\n";
+    if (!l.points.bounds.empty())
+        text += at + counted(l.points.bounds.size(), "wall outlasts", "walls outlast") +
+                " the push, so that only a bound of the " + words(*s.response) +
+                " is known, and " + (l.points.bounds.size() == 1 ? "is" : "are") +
+                " left out: " + named(*s.walls, l.points.bounds, kNamedWalls) +
+                ". What is learned holds for the others; push further to keep them.\n";
+    if (l.points.failed > 0)
+        text += at + counted(l.points.failed, "wall", "walls") + " failed and " +
+                (l.points.failed == 1 ? "is" : "are") + " left out.\n";
+    if (l.points.beyond > 0)
+        text += at + "learned from the first " + std::to_string(l.points.sample.size()) +
+                " walls; " + std::to_string(l.points.beyond) + " more are in the file.\n";
+    return text;
 }
 
 std::string surrogate_remarks(const SurrogateStudy& s)

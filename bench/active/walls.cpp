@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <optional>
 #include <string>
 #include <thread>
@@ -20,9 +21,13 @@ struct WallEvent {
 
 const std::vector<WallEvent> kEvents = {
     {{"reliability.response=peak_force", "reliability.demand=74 kN"}},
-    {{"reliability.response=peak_force", "reliability.demand=32 kN"}},
     {{"reliability.response=ultimate_drift", "reliability.demand=0.5",
-      "solver.kinematics=finite"}}};
+      "solver.kinematics=finite"}},
+    {{"reliability.response=peak_force", "reliability.demand=32 kN"}}};
+
+/// Walls of subset simulation at most: several runs, so that its own standard error, from which
+/// the walls that it needs at another error are worked out, is not that of few chains (tuned).
+constexpr const char* kSubsetBudget = "reliability.budget=1500";
 
 struct WallRun {
     std::string words;
@@ -52,17 +57,23 @@ std::string shown(std::optional<double> x, const char* format)
 
 } // namespace
 
-app::Table wall_table()
+void wall_table(const std::function<void(const app::Table&)>& seen)
 {
     app::Table table;
-    table.head = {"event",      "method", "seed",
-                  "walls",      "P",      "cov [%]",
-                  "lower",      "upper",  "subset at the same error",
-                  "times fewer"};
+    table.head = {"event",
+                  "method",
+                  "seed",
+                  "walls",
+                  "P",
+                  "cov [%]",
+                  "lower",
+                  "upper",
+                  "Monte Carlo at the same error",
+                  "subset at the same error",
+                  "times fewer than subset"};
     for (const WallEvent& event : kEvents) {
-        const WallRun subset =
-            run(event, {"reliability.method=subset", "reliability.budget=400",
-                        "reliability.target_cov=0.05"});
+        const WallRun subset = run(
+            event, {"reliability.method=subset", kSubsetBudget, "reliability.target_cov=0.05"});
         const auto cov = [](const WallRun& r) {
             return r.answer.std_error.value_or(0.0) / r.answer.probability.value_or(1.0);
         };
@@ -86,8 +97,8 @@ app::Table wall_table()
             add(run(event, {"reliability.method=active", "reliability.budget=400",
                             "reliability.target_cov=0.1", std::string("uq.seed=") + seed}),
                 seed);
+        seen(table);
     }
-    return table;
 }
 
 } // namespace active_bench

@@ -3,8 +3,11 @@
 
 #include "app/output/table.hpp"
 
+#include <functional>
+
 namespace active_bench {
 
-[[nodiscard]] app::Table wall_table();
+/// @param seen gets the table after each event, which takes minutes
+void wall_table(const std::function<void(const app::Table&)>& seen);
 
 } // namespace active_bench

@@ -13,7 +13,7 @@ from drystone import fragility, uq
 from drystone._results import Drifts, Results, open
 from drystone._shaking import Shaking, shake
 from drystone._study import Curve, Frame, Push, Study, push
-from drystone._surrogate import Prediction, Surrogate
+from drystone._surrogate import ModeProbability, Prediction, Surrogate
 from drystone._wall import Wall
 
 ConfigError = _core.ConfigError
@@ -22,5 +22,5 @@ NoFit = _core.NoFit
 __version__ = _core.__version__
 __solver_revision__ = _core.__solver_revision__
 
-__all__ = ["ConfigError", "Curve", "Drifts", "Frame", "NoFit", "Prediction", "Push", "Results", "Shaking", "StoreError", "Study", "Surrogate", "Wall", "fragility", "open", "push",
+__all__ = ["ConfigError", "Curve", "Drifts", "Frame", "ModeProbability", "NoFit", "Prediction", "Push", "Results", "Shaking", "StoreError", "Study", "Surrogate", "Wall", "fragility", "open", "push",
            "shake", "uq"]

@@ -20,6 +20,13 @@ class Prediction(NamedTuple):
     """Number of inputs beyond those of the walls learned from: where it is not 0 the surrogate extrapolates."""
 
 
+class ModeProbability(NamedTuple):
+    """One row for each wall."""
+    probability: numpy.ndarray
+    sd: numpy.ndarray
+    """Standard error of the probability."""
+
+
 class Surrogate:
     """What `drystone surrogate FILE.h5` learned of a response and kept (docs/surrogates.md).
 
@@ -55,11 +62,21 @@ class Surrogate:
         :param x: n x d, columns as `inputs`, in SI; or an array for each of them by name
         :param level: number of the vertical stress, from 0
         """
+        return Prediction(*map(numpy.array, self._learned.predict(level, self._rows(x))))
+
+    def modes(self, x: Union[ArrayLike, Mapping[str, ArrayLike]], level: int = 0) -> dict[str, ModeProbability]:
+        """Probability of each failure mode of walls that were never run; empty where the walls of the study gave no model of them.
+
+        :param x: as `predict` takes it
+        """
+        return {name: ModeProbability(numpy.array(p), numpy.array(sd)) for name, p, sd in self._learned.modes(level, self._rows(x))}
+
+    def _rows(self, x: Union[ArrayLike, Mapping[str, ArrayLike]]) -> numpy.ndarray:
         if isinstance(x, Mapping):
             if set(x) != set(self.inputs):
                 raise ValueError(f"inputs are {', '.join(self.inputs)}, not {', '.join(map(str, x))}")
             x = numpy.column_stack(numpy.broadcast_arrays(*(numpy.atleast_1d(numpy.asarray(x[key], float)) for key in self.inputs)))
-        return Prediction(*map(numpy.array, self._learned.predict(level, numpy.asarray(x, float))))
+        return numpy.asarray(x, float)
 
     def __repr__(self) -> str:
         doubts = sum(1 for level in range(len(self.vertical_stress)) if self.doubts(level))

@@ -53,20 +53,45 @@ std::pair<std::vector<double>, std::vector<double>> learned_between(const Surrog
     return {{l.least.begin(), l.least.end()}, {l.most.begin(), l.most.end()}};
 }
 
+Eigen::MatrixXd rows_of(const GivenNumbers& x)
+{
+    if (x.ndim() != 2) throw app::BadValue("x: must have two axes, walls and inputs");
+    Eigen::MatrixXd rows(x.shape(0), x.shape(1));
+    for (py::ssize_t i = 0; i < x.shape(0); ++i)
+        for (py::ssize_t k = 0; k < x.shape(1); ++k) rows(i, k) = x.at(i, k);
+    return rows;
+}
+
 /// Mean and standard deviation in SI, and number of inputs outside.
 std::tuple<std::vector<double>, std::vector<double>, std::vector<int>>
 predicted(const Surrogate& s, std::size_t level, const GivenNumbers& x)
 {
     const app::LearnedLevel& l = level_at(s, level);
-    if (x.ndim() != 2) throw app::BadValue("x: must have two axes, walls and inputs");
-    Eigen::MatrixXd rows(x.shape(0), x.shape(1));
-    for (py::ssize_t i = 0; i < x.shape(0); ++i)
-        for (py::ssize_t k = 0; k < x.shape(1); ++k) rows(i, k) = x.at(i, k);
+    const Eigen::MatrixXd rows = rows_of(x);
     const py::gil_scoped_release free;
     const app::SurrogateAnswers a = app::predict(*s, l, rows);
     return {{a.mean.begin(), a.mean.end()},
             {a.sd.begin(), a.sd.end()},
             {a.outside.begin(), a.outside.end()}};
+}
+
+/// Name, probabilities and standard errors of each mode; empty: there is no model of them.
+std::vector<std::tuple<std::string, std::vector<double>, std::vector<double>>>
+modes(const Surrogate& s, std::size_t level, const GivenNumbers& x)
+{
+    const app::LearnedLevel& l = level_at(s, level);
+    const Eigen::MatrixXd rows = rows_of(x);
+    if (!l.modes) return {};
+    const py::gil_scoped_release free;
+    const app::ModeAnswers a = app::predict_modes(*s, l, rows);
+    std::vector<std::tuple<std::string, std::vector<double>, std::vector<double>>> all;
+    for (Eigen::Index k = 0; k < a.probability.cols(); ++k) {
+        const auto p = a.probability.col(k), sd = a.sd.col(k);
+        all.emplace_back(l.modes->names[static_cast<std::size_t>(k)],
+                         std::vector<double>(p.begin(), p.end()),
+                         std::vector<double>(sd.begin(), sd.end()));
+    }
+    return all;
 }
 
 } // namespace
@@ -81,7 +106,8 @@ void bind_surrogate(py::module_& m)
         .def_property_readonly("stresses", &stresses)
         .def("doubts", &doubts, py::arg("level"))
         .def("learned_between", &learned_between, py::arg("level"))
-        .def("predict", &predicted, py::arg("level"), py::arg("x"));
+        .def("predict", &predicted, py::arg("level"), py::arg("x"))
+        .def("modes", &modes, py::arg("level"), py::arg("x"));
     m.def(
         "read_surrogate",
         [](const std::string& path) {

@@ -14,6 +14,7 @@ drystone_tests(app_report
         app/test_report_page.cpp
         app/test_report_fragility.cpp
         app/test_report_study.cpp
+        app/test_report_whatif.cpp
         app/test_wall_reading.cpp
         scenes/snapshot_scenes.cpp
     LIBRARIES drystone_app_push drystone_app_report nlohmann_json::nlohmann_json ZLIB::ZLIB)

@@ -13,6 +13,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace app;
@@ -60,6 +61,8 @@ StudyWalls smooth_walls(int n)
             w.inputs.push_back(
                 walls.inputs[static_cast<std::size_t>(k)].scale *
                 uq::quantile(*walls.inputs[static_cast<std::size_t>(k)].marginal, u(i, k)));
+        w.reading.mode =
+            u(i, 0) + 0.3 * u(i, 2) > 0.7 ? dem::FailureMode::mixed : dem::FailureMode::rocking;
         w.reading.peak =
             fragility::Peak{20e3 * (1.0 + u(i, 0) + std::sin(3.0 * u(i, 1))), 0.01, false};
         level.walls.push_back(w);
@@ -175,12 +178,7 @@ TEST_CASE("surrogate: the file predicts what the fit does, to the bit, and its o
     const scenes::TemporaryFolder folder;
     const StudyWalls walls = smooth_walls(60);
     const WallNumber& response = surrogate_response("peak_force");
-    SurrogateStudy s{&walls, &response, surrogate_inputs(walls), {}};
-    std::vector<uq::PolynomialFamily> families;
-    for (const std::size_t k : s.inputs)
-        families.push_back(uq::family_of(*walls.inputs[k].marginal));
-    s.levels.push_back(
-        fit_surrogate(surrogate_points(walls, 0, s.inputs, response), families, false, 1));
+    SurrogateStudy s = surrogate_study(walls, response);
     LevelSurrogate& level = s.levels.front();
     REQUIRE(level.process);
     REQUIRE(level.chaos);
@@ -209,6 +207,108 @@ TEST_CASE("surrogate: the file predicts what the fit does, to the bit, and its o
         CHECK_THROWS_WITH(predict(learned, learned.levels.front(), x.leftCols(1)),
                           Catch::Contains("inputs, and 1 are given"));
     }
+}
+
+TEST_CASE("surrogate: modes that follow from the inputs are told, with their doubt",
+          "[app][surrogate]")
+{
+    const scenes::TemporaryFolder folder;
+    const StudyWalls walls = smooth_walls(100);
+    const SurrogateStudy s = surrogate_study(walls, surrogate_response("peak_force"));
+    const ModeSurrogate& m = s.modes.front();
+    REQUIRE(m.none.empty());
+    CHECK(m.modes == std::vector{kRocking, kMixed});
+    CHECK(m.walls == 100);
+    CHECK(m.right > 0.9);
+    CHECK(m.right < 1.0); // errors are those on walls left out
+    CHECK(m.skill > 0.6);
+    CHECK(m.doubts.empty());
+    // the file says what the model does
+    const std::string path = (folder.path / "surrogate.json").string();
+    write_file(path, surrogate_json(s));
+    const LearnedSurrogate learned = read_surrogate(path);
+    Eigen::MatrixXd x = s.levels.front().points.x.topRows(5);
+    for (std::size_t k = 0; k < s.inputs.size(); ++k)
+        x.col(static_cast<Eigen::Index>(k)) /= walls.inputs[s.inputs[k]].scale;
+    const ModeAnswers a = predict_modes(learned, learned.levels.front(), x);
+    const Eigen::MatrixXd c = surrogate_coordinates(learned, x);
+    for (int i = 0; i < 5; ++i) {
+        const auto p = fragility::mode_probability(m.model, 1, c.row(i).transpose());
+        CHECK(a.probability(i, 1) == p.value);
+        CHECK(a.sd(i, 1) == p.std_error);
+        CHECK(a.probability.row(i).sum() == Approx(1.0).epsilon(1e-12));
+    }
+}
+
+TEST_CASE(
+    "surrogate: modes that no input tells apart, one mode and few walls are said in words",
+    "[app][surrogate]")
+{
+    StudyWalls walls = smooth_walls(60);
+    uq::Stream random(3, 0, uq::Purpose::monte_carlo);
+    for (StudyWall& w : walls.levels.front().walls)
+        w.reading.mode = static_cast<dem::FailureMode>(random.below(3));
+    const std::vector<std::size_t> inputs = surrogate_inputs(walls);
+    const ModeSurrogate chance = fit_mode_surrogate(mode_points(walls, 0, inputs));
+    CHECK(chance.none.empty());
+    CHECK(chance.modes.size() == 3);
+    REQUIRE(chance.doubts.size() == 1);
+    CHECK(chance.doubts.front().starts_with("The inputs do not tell the modes of walls left"));
+    for (StudyWall& w : walls.levels.front().walls) w.reading.mode = dem::FailureMode::sliding;
+    CHECK(fit_mode_surrogate(mode_points(walls, 0, inputs)).none ==
+          "The mode is the same on all 60 walls: sliding.");
+    CHECK(fit_mode_surrogate(mode_points(walls, 0, inputs, 9)).none ==
+          "Only 9 walls have a mode; a model of them needs at least 10.");
+    walls.study.uq.spatial = Spatial::independent;
+    walls.levels.front().walls.front().reading.mode = dem::FailureMode::mixed;
+    CHECK(fit_mode_surrogate(mode_points(walls, 0, inputs))
+              .none.starts_with("Inputs vary from joint to joint"));
+}
+
+TEST_CASE("surrogate: a spatial study in which no wall has the response says so",
+          "[app][surrogate]")
+{
+    StudyWalls walls = smooth_walls(30);
+    walls.study.uq.spatial = Spatial::independent;
+    const SurrogateStudy s = surrogate_study(walls, surrogate_response("ultimate_drift"));
+    CHECK(s.levels.front().doubts ==
+          std::vector<std::string>{
+              "Only 0 walls have the response; a surrogate needs at least 10."});
+}
+
+TEST_CASE(
+    "surrogate: walls that stand there twice are learned from, walls without a number are "
+    "named and left out",
+    "[app][surrogate]")
+{
+    StudyWalls walls = smooth_walls(60);
+    std::vector<StudyWall>& all = walls.levels.front().walls;
+    for (std::size_t i = 0; i < 20; ++i) {
+        all.push_back(all[i]);
+        all.back().key.sample += 1000;
+    }
+    all[3].reading.peak.reset();
+    all[4].reading.peak->force = std::nan("");
+    const SurrogateStudy s = surrogate_study(walls, surrogate_response("peak_force"));
+    const LevelSurrogate& level = s.levels.front();
+    CHECK(level.doubts.empty());
+    CHECK(level.points.y.size() == 78);
+    CHECK(level.left_out.allFinite());
+    CHECK(std::max(level.chaos_error.q2, level.process_error.q2) > 0.99);
+    CHECK(left_out_text(s, level).find("2 walls have no peak force and are left out: 0.50 MPa "
+                                       "sample 3, 0.50 MPa sample 4") != std::string::npos);
+}
+
+TEST_CASE("surrogate: a study of more walls than asked for is learned from the first",
+          "[app][surrogate]")
+{
+    const StudyWalls walls = smooth_walls(60);
+    const SurrogateStudy s = surrogate_study(walls, surrogate_response("peak_force"), 40);
+    CHECK(s.levels.front().points.y.size() == 40);
+    CHECK(s.modes.front().walls == 40);
+    CHECK(left_out_text(s, s.levels.front())
+              .find("learned from the first 40 walls; 20 more are in the file") !=
+          std::string::npos);
 }
 
 TEST_CASE("surrogate: files that are none are refused in plain words", "[app][surrogate]")

@@ -74,6 +74,15 @@ class SurrogatesPredict(InFolder):
             self.assertAlmostEqual(told[1] / (sd / 1e3), 1, delta=1e-6)
         least, most = surrogate.learned_between()
         self.assertEqual(surrogate.predict([2 * most, most, least]).outside.tolist(), [5, 0, 0])
+        modes = surrogate.modes(seen)
+        self.assertEqual(list(modes), level["modes"]["names"])
+        self.assertGreaterEqual(len(modes), 2)
+        self.assertLess(abs(sum(p.probability for p in modes.values()) - 1).max(), 1e-12)
+        first, second = list(modes.values())[:2]
+        c = numpy.array(level["process"]["points"])  # of the walls that have the response: here of all
+        told = numpy.array(level["modes"]["coefficients"][0]) @ numpy.vstack([numpy.ones(len(c)), c.T])
+        self.assertLess(abs(numpy.log(second.probability / first.probability) - told).max(), 1e-9)
+        self.assertEqual(surrogate.modes({key: seen[:, i] for i, key in enumerate(surrogate.inputs)})[list(modes)[0]].sd.tolist(), first.sd.tolist())
         for wrong in ([1.0], [[1.0, 2.0]], [[math.nan] * 5], {"joint.friction_angle": 1}):
             with self.assertRaises(ValueError):
                 surrogate.predict(wrong)
@@ -90,11 +99,11 @@ class SurrogatesPredict(InFolder):
             columns = ask("/Columns", {"name": "s_surrogate"})
             self.assertEqual([c["name"] for c in columns["inputs"]], surrogate.inputs)
             self.assertEqual([(c["name"], c["unit"]) for c in columns["outputs"]],
-                             [("peak_force", "N"), ("peak_force_sd", "N"), ("outside", "-")])
+                             [("peak_force", "N"), ("peak_force_sd", "N"), ("outside", "-"), *((name, "-") for mode in modes for name in (mode, mode + "_sd"))])
             self.assertIn("not to be trusted", columns["outputs"][0]["meaning"])
-            for x, mean, sd in zip(seen, walls.mean, walls.sd):
+            for i, (x, mean, sd) in enumerate(zip(seen, walls.mean, walls.sd)):
                 answer = ask("/Evaluate", {"name": "s_surrogate", "input": [x.tolist()], "config": {}})
-                self.assertEqual(answer["output"], [[mean, sd, 0]])
+                self.assertEqual(answer["output"], [[mean, sd, 0, *(v[i] for p in modes.values() for v in p)]])
             answer = ask("/Evaluate", {"name": "s_surrogate", "input": [(2 * most).tolist()], "config": {}})
             self.assertEqual(answer["output"][0][2], 5)
         finally:

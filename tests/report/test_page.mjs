@@ -34,7 +34,7 @@ const data = `(async () => {
     return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'))).text();
 })()`;
 const sections = `[...document.querySelectorAll('section')].map((s) => s.id)`;
-const kSections = ['overview', 'curves', 'about', 'fragility', 'modes', 'assumed', 'inputs', 'running', 'sensitivity', 'walls', 'provenance'];
+const kSections = ['overview', 'curves', 'about', 'whatif', 'fragility', 'modes', 'assumed', 'inputs', 'running', 'sensitivity', 'walls', 'provenance'];
 const visibleText = `document.body.innerText + [...document.querySelectorAll('svg *')].flatMap((e) => [...e.attributes].map((a) => a.value)).join(' ')`;
 const kNoNumber = /\b(NaN|Infinity|undefined|null|inf|nan)\b/;
 const press = (selector) => `document.querySelector(${JSON.stringify(selector)}).click()`;
@@ -301,6 +301,60 @@ claims['every control and picture has a name'] = () =>
         assert.equal(pale, 'rgb(89, 89, 89)'); // 7:1 on white
     });
 
+const answers = `[...document.querySelectorAll('#whatif .answer')].map((a) => a.innerText)`;
+const asked = `${folder}/asked.html`;
+
+claims['sliders ask for walls that were not pushed, by keyboard too, and the answer has its doubt'] = () =>
+    withPage({}, async (page) => {
+        const before = await page.evaluate(answers);
+        assert.equal(before.length, 3);
+        assert.match(before[0], /^peak force\n+[0-9.]+ kN 95 % of such walls: [0-9.]+ to [0-9.]+ kN\n+Error on walls left out: [0-9.]+ kN, Q2 0\.[0-9]+\. Learned from [0-9]+ walls by a (Gaussian process|polynomial chaos)/);
+        assert.match(before[1], /^ultimate drift\n+[0-9.]+ % 95 % of such walls[^]*Not to be trusted\. [0-9]+ of 40 walls outlast the push/);
+        assert.match(before[2], /^failure mode\n+(rocking [0-9]+ %[^]*)?sliding [0-9]+ %[^]*mixed [0-9]+ %[^]*The likeliest mode is that of [0-9]+ % of walls left out/);
+        const say = `document.querySelector('#whatif [role=status]').textContent`;
+        const spoken = await page.evaluate(say);
+        await page.evaluate(`document.querySelector('#whatif input').focus()`);
+        for (let i = 0; i < 8; ++i) await page.press('ArrowRight');
+        const after = await page.evaluate(answers);
+        for (const k of [0, 1, 2]) assert.notEqual(after[k], before[k]);
+        const value = await page.evaluate(`document.querySelector('#whatif input').getAttribute('aria-valuetext')`);
+        assert.match(value, /^[0-9.]+ deg$/);
+        assert.ok((await page.evaluate(say)).includes(`friction angle ${value}`));
+        assert.notEqual(await page.evaluate(say), spoken);
+        await page.evaluate(`${button('#whatif', '1.00 MPa')}.click()`);
+        assert.match(await page.evaluate(say), /^1\.00 MPa, friction angle .*: peak force [0-9.]+ kN, [0-9.]+ to [0-9.]+(, not to be trusted)?; ultimate drift/);
+        await page.evaluate(`${button('#whatif', '0.50 MPa')}.click(), ${button('#whatif', 'Median of each input')}.click()`);
+        assert.deepEqual(await page.evaluate(answers), before);
+    }, asked);
+
+claims['beyond the walls learned from a slider says so'] = () =>
+    withPage({}, async (page) => {
+        const drift = `document.querySelectorAll('#whatif .answer')[1].innerText`;
+        assert.doesNotMatch(await page.evaluate(drift), /Outside the walls/);
+        // walls of the least and most friction outlast the push, so that their drift was not learned from
+        const to = (end) => page.evaluate(`(() => { const r = document.querySelector('#whatif input'); r.value = r.${end}; r.dispatchEvent(new Event('input')); })()`);
+        const said = [];
+        for (const end of ['min', 'max']) said.push((await to(end), await page.evaluate(drift)));
+        assert.ok(said.some((text) => /Not to be trusted\. Outside the walls learned from: friction angle \(learned between [0-9.]+ and [0-9.]+ deg\)\./.test(text)), said.join(' | '));
+        assert.doesNotMatch(await page.evaluate(visibleText), kNoNumber);
+    }, asked);
+
+claims['on a phone sliders are as wide as the screen and their answers need no scrolling sideways'] = () =>
+    withPage({ width: 390, height: 844, mobile: true }, async (page) => {
+        const [wide, screen] = await page.evaluate(`[document.documentElement.scrollWidth, innerWidth]`);
+        assert.deepEqual([wide, screen], [390, 390]);
+        const boxes = await page.evaluate(`[...document.querySelectorAll('#whatif input, #whatif .answer > *')].map((e) => { const b = e.getBoundingClientRect(); return [e.tagName, b.left, b.right, b.height]; })`);
+        assert.ok(boxes.length > 10);
+        for (const [tag, left, right, height] of boxes) assert.ok(left >= 0 && right <= 390 && (tag !== 'INPUT' || (right - left > 330 && height >= 43.5)), `${tag} ${left} ${right} ${height}`);
+    }, asked);
+
+claims['on paper the question stands in words and the sliders are away'] = () =>
+    withPage({}, async (page) => {
+        await page.send('Emulation.setEmulatedMedia', { media: 'print' });
+        assert.equal(await page.evaluate(`getComputedStyle(document.querySelector('#whatif .controls')).display`), 'none');
+        assert.ok((await page.evaluate(`document.querySelector('#whatif .asked').getBoundingClientRect().height`)) > 10);
+    }, asked);
+
 claims['a page of few walls says so and says which'] = () =>
     withPage({}, async (page) => {
         assert.equal(await page.evaluate(`document.querySelectorAll('#wall-choice option').length`), 3);
@@ -370,19 +424,20 @@ claims['a page of many walls has walls of each stress and says what it leaves ou
 
 // what their overview says, and sections where nothing can be shown
 const others = {
-    one_stress: { about: /6 walls under one vertical stress, 0\.50 MPa/ },
-    nothing_random: { about: /Nothing was drawn at random/, inputs: /Nothing was random/, running: /Too few walls/, fragility: /No law is fitted to 0\.50 MPa, 1\.00 MPa: the steps are the observed shares/ },
+    one_stress: { about: /6 walls under one vertical stress, 0\.50 MPa/, whatif: /No wall can be predicted\. Only [0-9] walls have the response; a surrogate needs at least 10\./ },
+    nothing_random: { about: /Nothing was drawn at random/, whatif: /Nothing was random in this study, so that there is nothing to ask\./, inputs: /Nothing was random/, running: /Too few walls/, fragility: /No law is fitted to 0\.50 MPa, 1\.00 MPa: the steps are the observed shares/ },
     layouts: { about: /4 random layouts, those of wall\.seed = 1 and so on/ },
-    spatial: { about: /one value per joint/ },
+    spatial: { about: /one value per joint/, whatif: /No wall can be predicted\./ },
     shard: { about: /are not in the file: the study is not finished, or the file is a shard/, provenance: /1 of 3/ },
     some_failed: { about: /walls failed: solver\.most_steps was not enough/ },
-    all_failed: { about: /no wall gave a result/, curves: /No wall under this stress gave a curve/, modes: /No wall gave a result/ },
+    all_failed: { about: /no wall gave a result/, whatif: /No wall can be predicted\. Only 0 walls/, curves: /No wall under this stress gave a curve/, modes: /No wall gave a result/ },
     cyclic: { about: /in cycles of at most 3 mm/, curves: /Hysteresis: 0\.50 MPa/, cycles: /damping/ },
 };
 
 async function checkOther(page, said) {
     assert.equal(await page.evaluate(`document.querySelector('[role=alert]')`), null);
-    const expected = said.cycles ? [...kSections.slice(0, 3), 'cycles', ...kSections.slice(3)] : kSections;
+    const before = kSections.indexOf('fragility');
+    const expected = said.cycles ? [...kSections.slice(0, before), 'cycles', ...kSections.slice(before)] : kSections;
     assert.deepEqual(await page.evaluate(sections), expected);
     for (const [id, text] of Object.entries(said)) assert.match(await page.evaluate(`document.getElementById('${id}').innerText`), text);
     const buttons = await page.evaluate(`document.querySelectorAll('main .choice button').length`);

@@ -35,6 +35,7 @@ if [[ $1 == pages ]]; then
     failing=1 page some_failed --set uq.samples=12 --set solver.most_steps=5000
     failing=1 page all_failed --set uq.samples=3 --set solver.most_steps=500
     page many --set uq.samples=2200 --set load.max_displacement="0.5 mm"
+    page asked --set uq.samples=40 --set load.max_displacement="15 mm"
     page piers --set uq.samples=4 --set wall.openings="0.1 m, 0 m, 0.2 m, 0.2 m" --set lintel.bearing="0.1 m" \
         --set load.direction=both --set fragility.limit_states="paper, ntc"
     page layouts --set uq.samples=6 --set wall.bond=rubble --set wall.layouts=4

@@ -115,26 +115,39 @@ GaussianProcess condition(ProcessData data, ProcessKernel kernel, ProcessTrend t
     return p;
 }
 
+namespace {
+
+/// @param k covariances of the point with the data
+double mean_at(const GaussianProcess& p, const Eigen::RowVectorXd& point,
+               const Eigen::VectorXd& k)
+{
+    const double mean = k.dot(p.weights);
+    if (p.trend_weights.size() == 0) return mean;
+    return mean + trend_rows(p.trend, point).row(0).dot(p.trend_weights);
+}
+
+} // namespace
+
 Eigen::VectorXd predict_mean(const GaussianProcess& p, const Eigen::MatrixXd& x)
 {
     check_columns(p, x);
     const Eigen::MatrixXd scaled = over_lengths(x, p.parameters.lengths);
     Eigen::VectorXd mean(x.rows());
-    for (Eigen::Index i = 0; i < x.rows(); ++i) {
-        mean(i) = covariances(p, scaled.row(i)).dot(p.weights);
-        if (p.trend_weights.size() > 0)
-            mean(i) += trend_rows(p.trend, x.row(i)).row(0).dot(p.trend_weights);
-    }
+    for (Eigen::Index i = 0; i < x.rows(); ++i)
+        mean(i) = mean_at(p, x.row(i), covariances(p, scaled.row(i)));
     return mean;
 }
 
 ProcessPrediction predict(const GaussianProcess& p, const Eigen::MatrixXd& x)
 {
-    ProcessPrediction all{predict_mean(p, x), Eigen::VectorXd(x.rows())};
+    check_columns(p, x);
+    ProcessPrediction all{Eigen::VectorXd(x.rows()), Eigen::VectorXd(x.rows())};
     const Eigen::MatrixXd scaled = over_lengths(x, p.parameters.lengths);
     const auto lower = p.factor.triangularView<Eigen::Lower>();
     for (Eigen::Index i = 0; i < x.rows(); ++i) {
-        const Eigen::VectorXd white = lower.solve(covariances(p, scaled.row(i)));
+        const Eigen::VectorXd k = covariances(p, scaled.row(i));
+        all.mean(i) = mean_at(p, x.row(i), k);
+        const Eigen::VectorXd white = lower.solve(k);
         double variance = p.parameters.variance - white.squaredNorm();
         if (p.trend_weights.size() > 0) {
             const Eigen::VectorXd left =
