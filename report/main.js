@@ -68,7 +68,7 @@ function statistics(data) {
         note('beta: standard deviation of ln(drift), in earthquake engineering the dispersion. AIC: Akaike\'s information criterion, lower is better; it compares laws on the same walls.'), table(data.tables.law_parameters)));
     if (data.tables.pier_limits) {
         section('piers', 'Piers', note('The drift limits of codes are those of piers, numbered from the left, storey by storey: the wall reaches one when its first pier does.'));
-        add('piers', 'pier_limits', 'piers');
+        add('piers', 'pier_limits', 'piers', ...(data.tables.spandrels ? ['spandrels'] : []));
     }
     modes(data, section('modes', 'Failure modes'));
     add('modes', 'modes', 'means_by_mode');

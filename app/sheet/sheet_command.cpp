@@ -190,11 +190,7 @@ Sheet sheet_of(const Study& study, const dem::Layout& layout, const PushedWall& 
     s.subtitle = subtitle(study, w);
     s.answer = answer_sentences(study, layout, w);
     s.drawing = drawing_of(study);
-    Chart curve = capacity_chart(study, w);
-    curve.title = "";
-    curve.width = 680.0;
-    curve.height = 300.0;
-    s.curve = line_chart(curve);
+    s.curve = line_chart(sheet_curve(study, w));
     s.mechanism = mechanism_of(study, layout, w);
     s.limits = limits_of(study, w, walls);
     if (walls != nullptr)
@@ -211,6 +207,15 @@ Sheet sheet_of(const Study& study, const dem::Layout& layout, const PushedWall& 
 }
 
 } // namespace
+
+Chart sheet_curve(const Study& study, const PushedWall& wall)
+{
+    Chart curve = capacity_chart(study, wall);
+    curve.title = "";
+    curve.width = 680.0;
+    curve.height = 300.0;
+    return curve;
+}
 
 int sheet_command(const Command& command)
 {
