@@ -47,7 +47,8 @@ const opening = (options) =>
 /** A table, all of it and the curves: how far they reach below the first screen, and the page to its side [px]. */
 const first_screen = (name) =>
     withPage(kScreens[name], async (page) => {
-        writeFileSync(`${folder}/${name}.png`, await page.screenshot());
+        const { data } = await page.send('Page.captureScreenshot', { format: 'png' });
+        writeFileSync(`${folder}/${name}.png`, Buffer.from(data, 'base64'));
         const box = (selector) => page.evaluate(`(() => { const b = document.querySelector('${selector}').getBoundingClientRect(); return { top: b.top, bottom: b.bottom }; })()`);
         const screen = kScreens[name];
         const shown = {};

@@ -29,9 +29,9 @@ namespace fs = std::filesystem;
 
 /// Four walls with a short pier between a door and a window, and longer ones beside them.
 app::Study with_piers(const std::vector<std::string>& more = {},
-                      const std::string& states = "paper, ntc")
+                      const std::string& states = "paper, ntc", int samples = 4)
 {
-    std::vector<std::string> set = {"uq.samples=4",
+    std::vector<std::string> set = {"uq.samples=" + std::to_string(samples),
                                     "wall.length=1.2 m",
                                     "wall.courses=6",
                                     "solver.fidelity=rigid",
@@ -256,7 +256,7 @@ TEST_CASE(
 {
     const scenes::TemporaryFolder folder;
     const fs::path file = folder.path / "a.h5", old = folder.path / "old.h5";
-    run(with_piers({"uq.samples=2"}), file);
+    run(with_piers({}, "paper, ntc", 2), file);
     app::StoreReader reader(file);
     app::StoreHead head = reader.head();
     CHECK(head.spandrels == app::stored_spandrels_of(with_piers()));
