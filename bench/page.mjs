@@ -6,6 +6,7 @@ import { openPage } from '../tests/report/browser.mjs';
 
 const [program, file, folder, runs] = process.argv.slice(2);
 const load = loadavg()[0].toFixed(2);
+const idle = loadavg()[0] < 1; // else times are those of others, and only seconds of processor are held to an aim
 const kScreens = { desk: { width: 1440, height: 900 }, phone: { width: 390, height: 844, mobile: true } };
 
 // What the first screen shows: the curves, a wall, the table of limits.
@@ -87,17 +88,17 @@ for (let i = 0; i < Number(runs); ++i)
     for (const name of Object.keys(openings)) openings[name].push(await opening(kScreens[name]));
 const screens = { desk: await first_screen('desk'), phone: await first_screen('phone') };
 const least = (name, of) => Math.min(...openings[name].map(of));
-const walls = await withPage({}, (page) => page.evaluate(`document.querySelectorAll('#walls tbody tr').length`));
+const walls = await withPage({}, (page) => page.evaluate(`document.querySelector('#walls summary')?.textContent.match(/\\d+/)?.[0] ?? document.querySelectorAll('#walls tbody tr').length`));
 
 const rows = [['size', statSync(file).size / 1e6, 'MB', 5]];
 for (const name of ['desk', 'phone']) {
     const { width, height } = kScreens[name];
     const on = `${width} x ${height}`;
-    rows.push([`${on}: first picture of the curves`, least(name, (o) => o.seen.curves / 1e3), 's', 1]);
-    rows.push([`${on}: first picture of the wall`, least(name, (o) => o.seen.wall / 1e3), 's', 1]);
-    rows.push([`${on}: table of limits`, least(name, (o) => o.seen.limits / 1e3), 's', 1]);
-    rows.push([`${on}: all sections`, least(name, (o) => o.drawn), 's', 2]);
-    rows.push([`${on}: processor of the page until then`, least(name, (o) => o.core), 's', 2]);
+    rows.push([`${on}: first picture of the curves`, least(name, (o) => o.seen.curves / 1e3), 's', idle ? 1 : null]);
+    rows.push([`${on}: first picture of the wall`, least(name, (o) => o.seen.wall / 1e3), 's', idle ? 1 : null]);
+    rows.push([`${on}: table of limits`, least(name, (o) => o.seen.limits / 1e3), 's', idle ? 1 : null]);
+    rows.push([`${on}: all sections`, least(name, (o) => o.drawn), 's', idle ? 2 : null]);
+    rows.push([`${on}: seconds of processor of the page until then`, least(name, (o) => o.core), 's', 1]);
     rows.push([`${on}: page wider than the screen`, screens[name].beside, 'px', 0]);
     for (const part of Object.keys(kParts))
         rows.push([`${on}: ${part} not on the first screen`, 100 * (1 - Math.max(screens[name].shown[part], 0)), '%', part === 'limits' ? 0 : 50]);
@@ -106,7 +107,7 @@ rows.push(['tabulator steps to the curves, where arrows and Enter choose a wall'
 rows.push(['printed pages', await pages(), '', 16]);
 
 const version = execFileSync(program, ['--version'], { encoding: 'utf8' }).match(/[\d.]+/)[0];
-const table = rows.map(([what, value, unit, aim]) => `| ${what} | ${Number(value.toPrecision(3))} ${unit} | ${aim} ${unit} |`);
+const table = rows.map(([what, value, unit, aim]) => `| ${what} | ${Number(value.toPrecision(3))} ${unit} | ${aim === null ? '' : `${aim} ${unit}`} |`);
 const text = `# The page of a study
 
 Written by \`bash bench/page.sh\`: ${walls} walls in its table, Chromium ${version} without a screen, ${cpus().length} cores of ${cpus()[0].model.trim()}, load before: ${load}. Shortest of ${runs}
@@ -118,6 +119,6 @@ ${table.join('\n')}
 `;
 writeFileSync(`${folder}/page.md`, text);
 console.log(text);
-const missed = rows.filter(([, value, , aim]) => !(value <= aim));
+const missed = rows.filter(([, value, , aim]) => aim !== null && !(value <= aim));
 for (const [what, value, unit, aim] of missed) console.error(`${what}: ${Number(value.toPrecision(3))} ${unit}, aim ${aim} ${unit}`);
 process.exit(missed.length > 0 ? 1 : 0);

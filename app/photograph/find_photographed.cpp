@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -30,6 +31,7 @@ double score_of(const Shape& shape)
 /// The best of all guesses.
 struct Trials {
     Trial best;
+    std::array<Trial, kStoneMethods.size()> of_method; ///< the best of each
 
     void add(StoneMethod method, const Stoneness& map)
     {
@@ -39,7 +41,9 @@ struct Trials {
         if (share < kLeast || share > kMost) return;
         const Stones stones = divided(map);
         const double score = score_of(shape_of(stones, map));
-        if (score > best.score) best = {method, stones, score};
+        Trial& own = of_method[static_cast<std::size_t>(method)];
+        if (score > own.score) own = {method, stones, score};
+        if (score > best.score) best = own;
     }
 
     /// As it is, and with the mortar by its colour.
@@ -50,7 +54,7 @@ struct Trials {
     }
 };
 
-Trial best_trial(const cv::Mat& lab, StoneMethod method)
+Trials trials_of(const cv::Mat& lab, StoneMethod method)
 {
     const auto wanted = [&](StoneMethod m) {
         return method == m || method == StoneMethod::best;
@@ -69,7 +73,21 @@ Trial best_trial(const cv::Mat& lab, StoneMethod method)
     if (wanted(StoneMethod::watershed))
         for (const bool dark : {true, false})
             trials.add(StoneMethod::watershed, by_lines(lab, dark));
-    return trials.best;
+    return trials;
+}
+
+/// Methods that do nearly as well as the best and tell more or fewer stones.
+std::vector<OtherGuess> others_of(const Trials& trials)
+{
+    constexpr double kNearly = 0.9, kDiffers = 0.05; // of the best score, of its stones
+    std::vector<OtherGuess> others;
+    for (const Trial& t : trials.of_method) {
+        const double more = std::abs(t.stones.count - trials.best.stones.count);
+        if (t.score >= kNearly * trials.best.score &&
+            more > kDiffers * trials.best.stones.count)
+            others.push_back({t.method, t.stones.count});
+    }
+    return others;
 }
 
 cv::Mat at_most(const cv::Mat& image, int longest)
@@ -178,12 +196,13 @@ FoundStones find_photographed(const DrawingFrame& frame, const Picture& picture,
     FoundStones found;
     found.photograph = as_picture(bgr);
     const cv::Mat openings = openings_of(bgr);
-    Trial trial;
+    Trials trials;
+    const Trial& trial = trials.best;
     cv::Scalar mortar = cv::mean(bgr, ~openings); // until it is known
     for (int round = 0; round < (cv::countNonZero(openings) > 0 ? 2 : 1); ++round) {
         bgr.setTo(mortar, openings);
         const cv::Mat small = at_most(bgr, kTrialSide);
-        trial = best_trial(quiet_colours(small), method);
+        trials = trials_of(quiet_colours(small), method);
         if (trial.stones.count > 0) mortar = cv::mean(small, trial.stones.label == 0);
     }
     if (trial.stones.count == 0) check_wall(frame, {}, {}, 0.0);
@@ -193,6 +212,7 @@ FoundStones find_photographed(const DrawingFrame& frame, const Picture& picture,
     if (method == StoneMethod::best)
         check_wall(frame, stones, shape, sharpness_of(lab, stones));
     found.method = trial.method;
+    if (method == StoneMethod::best) found.others = others_of(trials);
     found.solidity = shape.solidity;
     found.labels = as_labels(stones, openings);
     return found;

@@ -5,6 +5,7 @@
 
 #include "dem/block/model.hpp"
 #include "dem/scene/mechanism.hpp"
+#include "dem/scene/touching.hpp"
 #include "dem/solver/push.hpp"
 #include "scenes/paper_wall.hpp"
 
