@@ -76,15 +76,15 @@ Trials trials_of(const cv::Mat& lab, StoneMethod method)
     return trials;
 }
 
-/// Methods that do nearly as well as the best and tell more or fewer stones.
-std::vector<OtherGuess> others_of(const Trials& trials)
+/// Methods that do nearly as well as the best and tell more or fewer stones than were found.
+std::vector<OtherGuess> others_of(const Trials& trials, int stones)
 {
     constexpr double kNearly = 0.9, kDiffers = 0.05; // of the best score, of its stones
     std::vector<OtherGuess> others;
     for (const Trial& t : trials.of_method) {
-        const double more = std::abs(t.stones.count - trials.best.stones.count);
-        if (t.score >= kNearly * trials.best.score &&
-            more > kDiffers * trials.best.stones.count)
+        const double more = std::abs(t.stones.count - stones);
+        if (t.score >= kNearly * trials.best.score && t.method != trials.best.method &&
+            more > kDiffers * stones)
             others.push_back({t.method, t.stones.count});
     }
     return others;
@@ -212,9 +212,12 @@ FoundStones find_photographed(const DrawingFrame& frame, const Picture& picture,
     if (method == StoneMethod::best)
         check_wall(frame, stones, shape, sharpness_of(lab, stones));
     found.method = trial.method;
-    if (method == StoneMethod::best) found.others = others_of(trials);
     found.solidity = shape.solidity;
     found.labels = as_labels(stones, openings);
+    if (method == StoneMethod::best)
+        found.others = others_of(
+            trials, found.labels.stones -
+                        static_cast<int>(std::ranges::count(found.labels.is_opening, 1)));
     return found;
 }
 
