@@ -60,8 +60,8 @@ std::string draw_pier(const PierReading& p, std::size_t number, const Places& pl
     const std::array<std::string, 5> lines = {
         "pier " + std::to_string(number),
         "N " + fixed(p.facts.normal_at_peak * 1e-3, 1) + " kN",
-        "V " + fixed(p.facts.shear_at_peak * 1e-3, 1) + " kN",
-        fixed(100.0 * p.drift, 2) + " %", std::string(mode_text(p))};
+        "V " + fixed(p.facts.shear_at_peak * 1e-3, 1) + " kN", fixed(100.0 * p.drift, 2) + " %",
+        std::string(mode_text(p))};
     constexpr double kLine = 15.0;
     double y = 0.5 * (corner.y + far.y) - 0.5 * kLine * static_cast<double>(lines.size() - 1);
     for (const std::string& line : lines) {

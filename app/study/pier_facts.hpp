@@ -1,6 +1,6 @@
 #pragma once
-/// Facts of the piers and spandrels of a pushed wall. They do not depend on the rules of [fragility]: the
-/// file of a study keeps them, and pier_reading.hpp reads them.
+/// Facts of the piers and spandrels of a pushed wall. They do not depend on the rules of
+/// [fragility]: the file of a study keeps them, and pier_reading.hpp reads them.
 
 #include "app/study/pier_history.hpp"
 #include "dem/scene/mechanism.hpp"

@@ -62,7 +62,7 @@ bool inside(app::Pixel p, const ChartLabel& l)
     return p.x > l.low.x && p.x < l.high.x && p.y > l.low.y && p.y < l.high.y;
 }
 
-/// What a label covers; empty: nothing.
+/// Names the first thing that a label covers; empty: nothing.
 std::string covered(const Chart& chart)
 {
     const ChartFrame f = app::lay_out_chart(chart);
@@ -146,7 +146,7 @@ TEST_CASE("chart labels: few stand at their lines, many are numbers from the lef
     CHECK(f.legend[1].name == "early 5.0 mm");
     CHECK(f.legend[8].name == "later 20.0 mm");
     CHECK(covered(chart) == "");
-    // Of those that touch the middle stays above its line.
+    // The middle of those that touch stays above the middle of their lines.
     CHECK((f.vertical[2].at + f.vertical[7].at) / 2 ==
           Approx(f.place(10.025, 0.0).x).epsilon(1e-6));
 }
