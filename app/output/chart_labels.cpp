@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kSize = 12.0, kAscent = 11.0, kDescent = 4.0; // of a text [px]
 
-/// What is drawn in the frame, in cells of some pixels.
+/// The cells of the frame, of some pixels each, through which something is drawn.
 class Drawn {
   public:
     Drawn(const Chart& chart, const ChartFrame& f)

@@ -37,7 +37,7 @@ struct StoreLevel {
     friend bool operator==(const StoreLevel&, const StoreLevel&) = default;
 };
 
-/// A pier or a spandrel of a wall with openings: where it is [m], and in which storey, from 1 at
+/// Piers or spandrels that all walls of a study have, and the facts stored of each.
 /// the bottom.
 struct StorePier {
     double from = 0.0, to = 0.0, bottom = 0.0, top = 0.0;
