@@ -37,8 +37,8 @@ struct StoreLevel {
     friend bool operator==(const StoreLevel&, const StoreLevel&) = default;
 };
 
-/// Piers or spandrels that all walls of a study have, and the facts stored of each.
-/// the bottom.
+/// A pier or a spandrel of a wall with openings: where it is [m], and its storey, from 1 at the
+/// bottom.
 struct StorePier {
     double from = 0.0, to = 0.0, bottom = 0.0, top = 0.0;
     std::uint32_t storey = 1;
