@@ -5,7 +5,6 @@
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -31,7 +30,6 @@ double score_of(const Shape& shape)
 /// The best of all guesses.
 struct Trials {
     Trial best;
-    std::array<Trial, kStoneMethods.size()> of_method; ///< the best of each
 
     void add(StoneMethod method, const Stoneness& map)
     {
@@ -41,9 +39,7 @@ struct Trials {
         if (share < kLeast || share > kMost) return;
         const Stones stones = divided(map);
         const double score = score_of(shape_of(stones, map));
-        Trial& own = of_method[static_cast<std::size_t>(method)];
-        if (score > own.score) own = {method, stones, score};
-        if (score > best.score) best = own;
+        if (score > best.score) best = {method, stones, score};
     }
 
     /// As it is, and with the mortar by its colour.
@@ -54,7 +50,7 @@ struct Trials {
     }
 };
 
-Trials trials_of(const cv::Mat& lab, StoneMethod method)
+Trial best_trial(const cv::Mat& lab, StoneMethod method)
 {
     const auto wanted = [&](StoneMethod m) {
         return method == m || method == StoneMethod::best;
@@ -73,21 +69,7 @@ Trials trials_of(const cv::Mat& lab, StoneMethod method)
     if (wanted(StoneMethod::watershed))
         for (const bool dark : {true, false})
             trials.add(StoneMethod::watershed, by_lines(lab, dark));
-    return trials;
-}
-
-/// Methods that do nearly as well as the best and tell more or fewer stones than were found.
-std::vector<OtherGuess> others_of(const Trials& trials, int stones)
-{
-    constexpr double kNearly = 0.9, kDiffers = 0.05; // of the best score, of its stones
-    std::vector<OtherGuess> others;
-    for (const Trial& t : trials.of_method) {
-        const double more = std::abs(t.stones.count - stones);
-        if (t.score >= kNearly * trials.best.score && t.method != trials.best.method &&
-            more > kDiffers * stones)
-            others.push_back({t.method, t.stones.count});
-    }
-    return others;
+    return trials.best;
 }
 
 cv::Mat at_most(const cv::Mat& image, int longest)
@@ -196,13 +178,12 @@ FoundStones find_photographed(const DrawingFrame& frame, const Picture& picture,
     FoundStones found;
     found.photograph = as_picture(bgr);
     const cv::Mat openings = openings_of(bgr);
-    Trials trials;
-    const Trial& trial = trials.best;
+    Trial trial;
     cv::Scalar mortar = cv::mean(bgr, ~openings); // until it is known
     for (int round = 0; round < (cv::countNonZero(openings) > 0 ? 2 : 1); ++round) {
         bgr.setTo(mortar, openings);
         const cv::Mat small = at_most(bgr, kTrialSide);
-        trials = trials_of(quiet_colours(small), method);
+        trial = best_trial(quiet_colours(small), method);
         if (trial.stones.count > 0) mortar = cv::mean(small, trial.stones.label == 0);
     }
     if (trial.stones.count == 0) check_wall(frame, {}, {}, 0.0);
@@ -214,10 +195,6 @@ FoundStones find_photographed(const DrawingFrame& frame, const Picture& picture,
     found.method = trial.method;
     found.solidity = shape.solidity;
     found.labels = as_labels(stones, openings);
-    if (method == StoneMethod::best)
-        found.others = others_of(
-            trials, found.labels.stones -
-                        static_cast<int>(std::ranges::count(found.labels.is_opening, 1)));
     return found;
 }
 

@@ -7,7 +7,6 @@
 
 #include <array>
 #include <string_view>
-#include <vector>
 
 namespace app {
 
@@ -21,18 +20,11 @@ inline constexpr std::array<std::string_view, 4> kStoneMethods = {"best", "thres
 /// and very small ones larger.
 constexpr int kLongestSide = 1600;
 
-/// Another method that does nearly as well and finds another number of stones.
-struct OtherGuess {
-    StoneMethod method = StoneMethod::best;
-    int stones = 0;
-};
-
 struct FoundStones {
     Picture photograph;                     ///< as it was looked at
     Labels labels;                          ///< of its stones and openings
     StoneMethod method = StoneMethod::best; ///< that found them
     double solidity = 0.0; ///< area of a stone over that of its convex hull, mean by area [-]
-    std::vector<OtherGuess> others; ///< of `best` alone: stones may be joined or divided
 };
 
 /// The pixels of a JPEG file, turned as its EXIF says.

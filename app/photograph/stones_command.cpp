@@ -44,19 +44,6 @@ double share_of_stone(const Labels& labels)
     return static_cast<double>(stone) / static_cast<double>(labels.label.size());
 }
 
-/// "other methods do nearly as well: 45 stones by watershed; ..."; empty: they agree.
-std::string others_text(const FoundStones& found)
-{
-    std::string text;
-    for (const OtherGuess& o : found.others)
-        text += (text.empty() ? "note: nearly as good: " : ", ") +
-                counted(static_cast<std::size_t>(o.stones), "stone", "stones") + " by " +
-                std::string(kStoneMethods[static_cast<std::size_t>(o.method)]);
-    if (text.empty()) return text;
-    return text + ". Stones are joined or divided in one of them: look where no red line runs "
-                  "along a joint, and write --method for another\n";
-}
-
 void say(const FoundStones& found, const std::filesystem::path& folder)
 {
     const Labels& labels = found.labels;
@@ -73,8 +60,7 @@ void say(const FoundStones& found, const std::filesystem::path& folder)
               << "then write into [wall] of a study, with the size of what the picture shows:\n"
               << "  geometry = " << std::filesystem::absolute(folder / "stones.png").string()
               << "\n  picture_width = 1.20 m\n  picture_height = "
-              << number(1.2 * labels.rows / labels.columns, 3) << " m\n"
-              << others_text(found);
+              << number(1.2 * labels.rows / labels.columns, 3) << " m\n";
 }
 
 } // namespace

@@ -8,14 +8,11 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <fstream>
 #include <map>
 #include <random>
 #include <string>
-#include <utility>
 #include <vector>
 
 using scenes::Look;
@@ -178,41 +175,6 @@ TEST_CASE("photograph: the picture of the stones is read as these stones again",
         CHECK(again.stones == labels.stones);
         CHECK(again.label == labels.label);
     }
-}
-
-TEST_CASE("photograph: ashlar in thin joints is told in full, or that methods disagree",
-          "[slow][app][photograph]")
-{
-    constexpr int kColumns = 1000, kRows = 800, kCourse = 100, kStone = 200;
-    std::mt19937 random(3);
-    const auto scatter = [&random](double most) {
-        return most * (2.0 * static_cast<double>(random()) / 4294967295.0 - 1.0);
-    };
-    app::Picture picture{kColumns, kRows,
-                         std::vector<std::uint8_t>(std::size_t{4} * kColumns * kRows, 255)};
-    std::map<std::pair<int, int>, double> brighter;
-    for (int row = 0; row < kRows; ++row)
-        for (int column = 0; column < kColumns; ++column) {
-            const int course = row / kCourse, along = column + course % 2 * kStone / 2,
-                      stone = along / kStone;
-            const auto [at, added] = brighter.try_emplace({course, stone}, 0.0);
-            if (added) at->second = scatter(18.0);
-            const bool joint = row % kCourse < 2 || along % kStone < 2; // of 5 mm
-            const std::array<double, 3> colour =
-                joint ? std::array{120.0, 112.0, 100.0}
-                      : std::array{190.0 + at->second, 178.0 + at->second, 150.0 + at->second};
-            const double noise = scatter(10.0);
-            for (std::size_t c = 0; c < 3; ++c)
-                picture.rgba[4 * (std::size_t{kColumns} * row + column) + c] =
-                    static_cast<std::uint8_t>(std::clamp(colour[c] + noise, 0.0, 255.0));
-        }
-    const auto stones = static_cast<int>(brighter.size());
-    const app::FoundStones found = found_in(scenes::jpeg_of(picture, 88));
-    CAPTURE(found.labels.stones);
-    CHECK((found.labels.stones == stones || !found.others.empty()));
-    for (const app::OtherGuess& o : found.others)
-        CHECK(std::abs(o.stones - found.labels.stones) > 0);
-    CHECK(found_in(scenes::jpeg_of(scenes::photograph_of(truth(), {}), 90)).others.empty());
 }
 
 TEST_CASE("photograph: a magenta area is an opening, before and after",
