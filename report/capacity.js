@@ -118,7 +118,7 @@ export class Capacity {
         const lines = series.flatMap((s) => [s.data, s.band?.[1]]).filter((values) => values);
         const top = lines.reduce((most, values) => values.reduce((m, f) => Math.max(m, f ?? 0), most), 1);
         return chart(plot, {
-            label, series, x: this.curves.x, height: 400, xLabel: 'displacement [mm]', yLabel: 'horizontal force [kN]',
+            label, series, x: this.curves.x, height: matchMedia('(max-width: 500px)').matches ? 230 : 400, xLabel: 'displacement [mm]', yLabel: 'horizontal force [kN]',
             yRange: [0, top * 1.05], xRange: [0, this.curves.x.at(-1)],
             draw,
         });

@@ -1,5 +1,5 @@
 // Builds the page from its data.
-import { element, section, percent, words } from './format.js';
+import { choice, element, section, percent, words } from './format.js';
 import { inflate, readCurves, readLoops } from './data.js';
 import { Capacity } from './capacity.js';
 import { WallView } from './wall.js';
@@ -14,17 +14,33 @@ const about = (...texts) => element('details', { class: 'about' }, element('summ
 /** A table with its columns as rows. */
 const turned = ({ head, rows }) => ({ head: [head[0], ...rows.map((r) => r[0])], rows: head.slice(1).map((name, c) => [name, ...rows.map((r) => r[c + 1])]) });
 
-/** The answer: a sentence, and the drifts of each stress. */
-function overview(data) {
+const isPhone = () => matchMedia('(max-width: 500px)').matches;
+
+/** A table of many stresses as that of the one chosen: its place, and the row of buttons above it. */
+function oneByOne(answers, title, chosen) {
+    const place = element('div', {});
+    const draw = (i) => place.replaceChildren(scrolled(turned({ head: answers.head, rows: [answers.rows[i]] }), title));
+    const picker = choice('Stress', answers.rows.map((row, i) => ({ value: i, text: `${row[0]} MPa` })), 0, (i) => {
+        draw(i);
+        chosen(Number(answers.rows[i][0]));
+    });
+    draw(0);
+    return [picker.row, place];
+}
+
+/** The answer: a sentence, and the drifts of each stress. A phone, which has no room for all columns, shows one stress or two, and says what is said about them
+ *  below its pictures. chosen: is told the stress that a phone chose.
+ *  @returns what is said below the pictures */
+function overview(data, chosen) {
     const { lead, answers, solver } = data.overview;
-    const host = section('overview', 'Overview', element('p', { class: 'lead' }, lead));
-    const phone = matchMedia('(max-width: 500px)').matches;
-    if (answers.rows.length) {
-        // A phone has room for the columns of one or two stresses below each other, and for the picture, but not for what is said about them.
-        const shown = phone && answers.rows.length <= 2 ? turned(answers) : answers;
-        host.append(scrolled(shown, 'Peak force, mode and drift limits of each stress'), phone ? about(answers.note, solver) : note(answers.note));
-    }
-    if (solver && !phone) host.append(note(solver));
+    const host = section('overview', 'Overview');
+    const title = 'Peak force, mode and drift limits of each stress';
+    const said = element('p', { class: 'lead' }, lead);
+    const notes = about(answers.note, solver);
+    if (!answers.rows.length) return host.append(said, solver ? note(solver) : ''), [];
+    if (!isPhone()) return host.append(said, scrolled(answers, title), notes), [];
+    host.append(...(answers.rows.length > 2 ? oneByOne(answers, title, chosen) : [scrolled(turned(answers), title)]));
+    return [said, notes];
 }
 
 /** What stands behind the answer. */
@@ -33,23 +49,27 @@ function behind(data) {
     section('about', 'The study', element('div', { class: 'pair' }, list('What was run', data.overview.run), list('How sure', data.overview.sure)), list('What came out', data.overview.found), table(data.tables.results), table(data.tables.solver_error));
 }
 
-async function curvesAndWall(data) {
+async function curvesAndWall(data, told, said) {
     const left = element('div', { class: 'curves' });
     const right = element('div', { class: 'view', id: 'wall' });
-    section('curves', 'Capacity curves and walls', element('div', { class: 'pair wide' }, left, right));
+    section('curves', 'Capacity curves and walls', element('div', { class: 'pair wide' }, left, right), ...said);
     let view = null;
     const curves = await readCurves(data.curves);
     const loops = data.loops ? await readLoops(data.loops) : null;
     const capacity = new Capacity(data, curves, loops, left, {
         wall: async (w) => {
             await view?.open(w);
-            if (view && matchMedia('(max-width: 900px)').matches) right.scrollIntoView();
+            if (view && matchMedia('(max-width: 900px)').matches) right.querySelector('figure').scrollIntoView();
         },
         stress: (level) => {
             const w = view?.counterpart(level) ?? null;
             if (w !== null) view.open(w);
         },
     });
+    told.stress = (stress) => {
+        const level = data.levels.findIndex((l) => Number(l.stress) === stress);
+        if (level >= 0) capacity.picker.set(level);
+    };
     left.append(data.films.note ? note(data.films.note) : '',
         note(`Bands are ${percent(data)} confidence intervals of the mean of five walls or more; mean curves stop where fewer than 90 % of the walls are still being pushed.${data.loops ? ' The push is cyclic: curves are backbones, the wall shown has its loops below.' : ''}${data.ways ? ` ${data.ways}` : ''}`));
     if (!data.films.films.length) return;
@@ -76,7 +96,7 @@ function statistics(data) {
         note('beta: standard deviation of ln(drift), in earthquake engineering the dispersion. AIC: Akaike\'s information criterion, lower is better; it compares laws on the same walls.'), table(data.tables.law_parameters)));
     if (data.tables.pier_limits) {
         section('piers', 'Piers', note('The drift limits of codes are those of piers, numbered from the left, storey by storey: the wall reaches one when its first pier does.'));
-        add('piers', 'pier_limits', 'piers');
+        add('piers', 'pier_limits', 'piers', ...(data.tables.spandrels ? ['spandrels'] : []));
     }
     modes(data, section('modes', 'Failure modes'));
     add('modes', 'modes', 'means_by_mode');
@@ -96,8 +116,9 @@ async function start() {
     const text = (id) => document.getElementById(id).textContent;
     const data = JSON.parse(new TextDecoder().decode(await inflate(text('data'))));
     data.films = JSON.parse(text('films'));
-    overview(data);
-    await curvesAndWall(data);
+    const told = {}; // as soon as there are curves
+    const said = overview(data, (stress) => told.stress?.(stress));
+    await curvesAndWall(data, told, said);
     behind(data);
     asking(data);
     statistics(data);

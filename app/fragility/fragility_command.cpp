@@ -31,6 +31,7 @@
 #include "app/study/interrupt.hpp"
 #include "app/study/limit_choices.hpp"
 #include "app/study/mode_rule.hpp"
+#include "app/study/part_tables.hpp"
 #include "app/study/pier_shares.hpp"
 #include "app/study/study_summary.hpp"
 #include "app/text/config_error.hpp"
@@ -295,6 +296,8 @@ FragilityOutput study_output(const StudyWalls& walls, const FitProgress& seen)
     if (!walls.piers.empty()) {
         tables.insert(tables.begin(), {{"pier_limits", pier_share_table(walls), true},
                                        {"piers", study_pier_table(walls), true}});
+        if (!walls.spandrels.empty())
+            tables.insert(tables.begin() + 2, {"spandrels", study_spandrel_table(walls)});
     }
     if (!walls.inputs.empty()) tables.push_back({"inputs", input_table(walls)});
     if (!walls.pushed_one_way) tables.push_back({"cycles", cycle_table(walls)});

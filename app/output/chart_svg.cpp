@@ -1,12 +1,11 @@
 #include "app/output/chart_svg.hpp"
 
 #include "app/output/chart_frame.hpp"
+#include "app/output/chart_labels.hpp"
 #include "app/output/svg_elements.hpp"
 
 #include <array>
-#include <limits>
 #include <stdexcept>
-#include <string_view>
 #include <vector>
 
 namespace app {
@@ -15,16 +14,6 @@ namespace {
 
 constexpr const char* kReferenceStyle =
     "stroke=\"#777\" stroke-width=\"1.1\" stroke-dasharray=\"5 3\"";
-
-/// Text with a white rim, readable over lines.
-std::string label(Pixel at, std::string_view text, const std::string& anchor)
-{
-    const std::string style = "font-size=\"12\" text-anchor=\"" + anchor + "\" ";
-    return svg_text(at, text,
-                    style + "stroke=\"white\" stroke-width=\"4\" stroke-linejoin=\"round\" "
-                            "fill=\"white\"") +
-           svg_text(at, text, style);
-}
 
 std::string draw_series(const Series& s, const std::string& colour, const ChartFrame& f)
 {
@@ -49,58 +38,24 @@ std::string draw_series(const Series& s, const std::string& colour, const ChartF
     return drawn;
 }
 
+/// A line goes up to the frame, or bends to the number that stands for its label.
 std::string draw_vertical_lines(const Chart& chart, const ChartFrame& f)
 {
-    std::string lines, labels;
+    std::string lines;
     for (std::size_t i = 0; i < chart.vertical.size(); ++i) {
         const ReferenceLine& line = chart.vertical[i];
         if (!f.shows(line.at, f.y.low)) continue;
         const double x = f.place(line.at, f.y.low).x;
-        lines += svg_line({x, f.top}, {x, f.bottom}, "");
-        const bool fits = x + text_width(line.label, 12.0) + 10.0 < f.right;
-        labels += label({fits ? x + 5.0 : x - 5.0, f.top + 13.0 + kLabelRow * f.rows[i]},
-                        line.label, fits ? "start" : "end");
+        const VerticalLabel& label = f.vertical[i];
+        if (label.number == 0) {
+            lines += svg_line({x, f.top}, {x, f.bottom}, "");
+            continue;
+        }
+        const Pixel number{label.at, f.top + 2.0 + 2.0 * kBadge}, bend{x, f.top + kNumberRow};
+        lines += svg_line(number, bend, "stroke-dasharray=\"none\"") +
+                 svg_line(bend, {x, f.bottom}, "");
     }
-    return svg_group(kReferenceStyle, lines) + labels;
-}
-
-/// How much of the lines runs through a box: samples along every piece that lie in it.
-int crowd(const Chart& chart, const ChartFrame& f, Pixel low, Pixel high)
-{
-    constexpr int kSamples = 16; // per piece
-    int inside = 0;
-    for (const Series& s : chart.series)
-        for (std::size_t i = 0; i + 1 < s.x.size(); ++i) {
-            if (!f.shows(s.x[i], s.y[i]) || !f.shows(s.x[i + 1], s.y[i + 1])) continue;
-            const Pixel p = f.place(s.x[i], s.y[i]), q = f.place(s.x[i + 1], s.y[i + 1]);
-            for (int k = 0; k <= kSamples; ++k) {
-                const double t = static_cast<double>(k) / kSamples;
-                const double x = p.x + t * (q.x - p.x), y = p.y + t * (q.y - p.y);
-                inside += x > low.x && x < high.x && y > low.y && y < high.y;
-            }
-        }
-    return inside;
-}
-
-/// At the end and the side of a horizontal line where the fewest lines run through the text.
-std::string label_horizontal(const Chart& chart, const ChartFrame& f, double y,
-                             const std::string& text)
-{
-    const double width = text_width(text, 12.0) + 8.0;
-    std::string best;
-    int least = std::numeric_limits<int>::max();
-    for (const bool right : {true, false})
-        for (const bool above : {true, false}) {
-            const double base = above ? y - 5.0 : y + 14.0;
-            if (base - 12.0 < f.top || base + 4.0 > f.bottom) continue;
-            const Pixel low{right ? f.right - width : f.left, base - 14.0};
-            const int busy = crowd(chart, f, low, {low.x + width, base + 5.0});
-            if (busy >= least) continue;
-            least = busy;
-            best = label({right ? f.right - 5.0 : f.left + 5.0, base}, text,
-                         right ? "end" : "start");
-        }
-    return best;
+    return svg_group(kReferenceStyle, lines);
 }
 
 std::string draw_horizontal_lines(const Chart& chart, const ChartFrame& f)
@@ -112,25 +67,13 @@ std::string draw_horizontal_lines(const Chart& chart, const ChartFrame& f)
     return svg_group(kReferenceStyle, lines);
 }
 
-std::string draw_horizontal_labels(const Chart& chart, const ChartFrame& f)
-{
-    std::string labels;
-    for (const ReferenceLine& line : chart.horizontal)
-        if (f.shows(f.x.low, line.at))
-            labels += label_horizontal(chart, f, f.place(f.x.low, line.at).y, line.label);
-    return labels;
-}
-
 std::string draw_marks(const Chart& chart, const ChartFrame& f)
 {
     std::string drawn;
     for (const ChartMark& mark : chart.marks) {
         if (!f.shows(mark.x, mark.y)) continue;
         const Pixel at = f.place(mark.x, mark.y);
-        const bool fits = at.x + text_width(mark.label, 12.0) + 10.0 < f.right;
-        drawn += svg_dot(at, 4.2, "fill=\"white\" stroke=\"#222\" stroke-width=\"1.6\"") +
-                 label({fits ? at.x + 8.0 : at.x - 8.0, at.y - 8.0}, mark.label,
-                       fits ? "start" : "end");
+        drawn += svg_dot(at, 4.2, "fill=\"white\" stroke=\"#222\" stroke-width=\"1.6\"");
     }
     return drawn;
 }
@@ -179,7 +122,7 @@ std::string line_chart(const Chart& chart)
         lines += draw_series(chart.series[i], frame.colours[i], frame);
     const std::string body = draw_frame(chart, frame) + draw_horizontal_lines(chart, frame) +
                              lines + draw_vertical_lines(chart, frame) +
-                             draw_horizontal_labels(chart, frame) + draw_marks(chart, frame);
+                             draw_marks(chart, frame) + draw_labels(chart_labels(chart, frame));
     return svg_page(chart.width, chart.height, chart.title, body);
 }
 

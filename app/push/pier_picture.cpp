@@ -78,7 +78,8 @@ std::string draw_spandrel(const SpandrelReading& s, const Places& place)
 {
     const dem::Region& at = s.spandrel.at;
     const Pixel middle = place({0.5 * (at.x0 + at.x1), 0.5 * (at.z0 + at.z1)});
-    return svg_text({middle.x, middle.y + 4.0}, "V " + fixed(s.shear_at_peak * 1e-3, 1) + " kN",
+    return svg_text({middle.x, middle.y + 4.0},
+                    "V " + fixed(s.facts.shear_at_peak * 1e-3, 1) + " kN",
                     halo() + svg_attribute("text-anchor", "middle") +
                         svg_attribute("font-size", "11") + svg_attribute("fill", "#8a4b00"));
 }

@@ -158,10 +158,7 @@ Table spandrel_table(const Study& study, const std::vector<PushedWall>& walls)
 {
     Table t;
     t.title = "Spandrels";
-    t.caption =
-        "Masonry and lintel above each opening, cut in the middle of the opening, when the "
-        "wall carries most: N, compression along the wall; V, by how much its right half "
-        "presses its left half down.";
+    t.caption = std::string(kSpandrelNumbers);
     t.keys = 3;
     using Spandrel = const SpandrelReading&;
     auto columns = keys_of<SpandrelPart>("spandrel");
@@ -174,10 +171,12 @@ Table spandrel_table(const Study& study, const std::vector<PushedWall>& walls)
              "height [m]", 2, 1.0,
              [](Spandrel s) { return s.spandrel.at.z1 - s.spandrel.at.z0; }),
          number_of<SpandrelPart>("N [kN]", 1, 1e-3,
-                                 [](Spandrel s) { return s.normal_at_peak; }),
-         number_of<SpandrelPart>("V [kN]", 1, 1e-3, [](Spandrel s) { return s.shear_at_peak; }),
+                                 [](Spandrel s) { return s.facts.normal_at_peak; }),
+         number_of<SpandrelPart>("V [kN]", 1, 1e-3,
+                                 [](Spandrel s) { return s.facts.shear_at_peak; }),
          number_of<SpandrelPart>("largest V [kN]", 1, 1e-3,
-                                 [](Spandrel s) { return s.most_shear; })});
+                                 [](Spandrel s) { return s.facts.most_shear; }),
+         number_of<SpandrelPart>("drift [%]", 3, 100.0, [](Spandrel s) { return s.drift; })});
     fill(t, columns, rows_of(study, walls, &PushedWall::spandrels));
     return t;
 }

@@ -13,6 +13,7 @@
 #include "app/program_version.hpp"
 #include "app/report/report_parts.hpp"
 #include "app/study/both_ways.hpp"
+#include "app/study/part_tables.hpp"
 #include "app/study/pier_shares.hpp"
 #include "app/study/solver_error.hpp"
 #include "app/study/study_summary.hpp"
@@ -129,6 +130,8 @@ Json tables_json(const StudyWalls& study, const DriftData& data, const WallList&
     if (!study.piers.empty()) {
         all["pier_limits"] = table_json("pier_limits", pier_share_table(study));
         all["piers"] = table_json("piers", study_pier_table(study));
+        if (!study.spandrels.empty())
+            all["spandrels"] = table_json("spandrels", study_spandrel_table(study));
     }
     if (!study.pushed_one_way) all["cycles"] = table_json("cycles", cycle_table(study));
     return all;

@@ -35,6 +35,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace app {
@@ -126,6 +127,24 @@ std::string ways_text(const std::string& way)
     return way == "both" ? ", pushed to either side" : ", pushed to the " + way;
 }
 
+/// The rule that governs, in a line where that can be.
+std::string rule_of(const Study& study, const PushedWall& w, const StateName& name,
+                    std::size_t state, const fragility::LimitDisplacement& limit)
+{
+    constexpr std::string_view kGoverns = "governed by ";
+    const std::string pier = pier_rule(study, worse_push(w, state), name, state);
+    const bool of_another = name.rule.starts_with("3/4") || name.rule.starts_with("2/3"),
+               governed = limit.reason.starts_with(kGoverns);
+    std::string rule = name.rule;
+    if (!pier.empty() && !of_another) rule = pier;
+    if (pier.empty() && governed && !of_another)
+        rule = std::string(limit.reason.substr(kGoverns.size()));
+    if (other_way_of(w) != nullptr) rule += ways_text(worse_way_name(study, w, state));
+    if (pier.empty() && !governed && !limit.reason.empty())
+        rule += "; here: " + std::string(limit.reason);
+    return rule;
+}
+
 std::vector<SheetLimit> limits_of(const Study& study, const PushedWall& w,
                                   const StudyLevel* stored)
 {
@@ -139,12 +158,7 @@ std::vector<SheetLimit> limits_of(const Study& study, const PushedWall& w,
         SheetLimit row{
             state_name(names[i]), cell_text(limit_cell(limit, 1e3, 1)),
             cell_text(limit_cell(limit, fragility::percent_per_metre(w.loads.height), 2)),
-            names[i].rule, ""};
-        const std::string pier = pier_rule(study, worse_push(w, i), names[i], i);
-        if (!pier.empty() && !names[i].rule.starts_with("3/4")) row.rule = pier;
-        if (other_way_of(w) != nullptr) row.rule += ways_text(worse_way_name(study, w, i));
-        if (pier.empty() && !limit.reason.empty())
-            row.rule += "; here: " + std::string(limit.reason);
+            rule_of(study, w, names[i], i, limit), ""};
         if (stored != nullptr) row.spread = spread_of(*stored, i, w.loads.height);
         all.push_back(std::move(row));
     }
@@ -176,26 +190,32 @@ Sheet sheet_of(const Study& study, const dem::Layout& layout, const PushedWall& 
     s.subtitle = subtitle(study, w);
     s.answer = answer_sentences(study, layout, w);
     s.drawing = drawing_of(study);
-    Chart curve = capacity_chart(study, w);
-    curve.title = "";
-    curve.width = 560.0;
-    curve.height = 300.0;
-    s.curve = line_chart(curve);
+    s.curve = line_chart(sheet_curve(study, w));
     s.mechanism = mechanism_of(study, layout, w);
     s.limits = limits_of(study, w, walls);
     if (walls != nullptr)
         s.spread_head = "drift [%] of 16, 50, 84 % of " + std::to_string(walls->walls.size()) +
                         " random walls";
     s.piers = pier_paragraphs(study, w);
-    s.assumed = assumptions(study, 4 - std::min<std::size_t>(s.piers.size(), 2)); // room for
+    s.assumed = assumptions(study, 4);
     s.certainty = certainty_sentences(study, w, stored, static_cast<std::size_t>(level));
-    s.footer = "Drystone " + std::string(kVersion) + ", in-plane push of " + command.study +
+    s.footer = "Drystone " + std::string(kVersion) + ", in-plane push of " +
+               fs::path(command.study).filename().string() +
                ". A help for the engineer, who answers for it; not for out-of-plane failure "
                "nor for shaking in time.";
     return s;
 }
 
 } // namespace
+
+Chart sheet_curve(const Study& study, const PushedWall& wall)
+{
+    Chart curve = capacity_chart(study, wall);
+    curve.title = "";
+    curve.width = 680.0;
+    curve.height = 300.0;
+    return curve;
+}
 
 int sheet_command(const Command& command)
 {

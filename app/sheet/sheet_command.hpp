@@ -1,12 +1,19 @@
 #pragma once
 #include "app/input/command.hpp"
+#include "app/output/chart_svg.hpp"
+#include "app/study/pushed_wall.hpp"
 
 namespace app {
+
+struct Study;
 
 /// `drystone sheet`: one A4 page of a wall of mean values, and of the random walls of a stored
 /// study: drawing, curve, mechanism, limits, assumptions, certainty. Writes FILE.html and,
 /// where WeasyPrint is installed, FILE.pdf.
 /// @throws Interrupted (app/study/interrupt.hpp): nothing was written
 [[nodiscard]] int sheet_command(const Command& command);
+
+/// The curve of a wall with its limits, as wide as a sheet shows it.
+[[nodiscard]] Chart sheet_curve(const Study& study, const PushedWall& wall);
 
 } // namespace app

@@ -13,7 +13,6 @@ namespace {
 constexpr std::string_view kStyle = R"(
 @page { size: A4 portrait; margin: 0 }
 * { box-sizing: border-box }
-html { background: #ddd }
 body { margin: 0; font: 8.4pt/1.32 "DejaVu Sans", Verdana, Arial, sans-serif; color: #222 }
 main { position: relative; width: 210mm; height: 296mm; margin: 0 auto; background: white; overflow: hidden }
 section { position: absolute; overflow: hidden }
@@ -33,7 +32,7 @@ td.n, th.n { text-align: right }
 .small { font-size: 7.2pt; line-height: 1.28; color: #444 }
 code { font-family: "DejaVu Sans Mono", monospace; font-size: 7.4pt }
 svg { display: block; margin: 0 auto }
-@media screen { main { margin: 6mm auto; box-shadow: 0 0 4mm #888 } }
+@media screen { html { background: #ddd } main { margin: 6mm auto; box-shadow: 0 0 4mm #888 } }
 )";
 
 std::string box(double left, double top, double width, double height, const std::string& body)
@@ -103,48 +102,115 @@ std::string limits_table(const Sheet& s)
     return body;
 }
 
-/// Height that the picture of the mechanism can give up for a longer table [mm].
-constexpr double kGivenUp = 19.0;
-
-/// Height of the paragraphs on piers [mm].
-double piers_height(const Sheet& s)
+/// Number of lines of a text that is wrapped between words.
+std::size_t lines_of(const std::string& text, std::size_t characters)
 {
-    constexpr double kLine = 3.4;
-    constexpr std::size_t kInLine = 135; // characters
-    std::size_t lines = 0;
-    for (const std::string& text : s.piers) lines += 1 + text.size() / kInLine;
-    return kLine * static_cast<double>(lines);
+    return 1 + (std::max<std::size_t>(text.size(), 1) - 1) / characters;
 }
 
-/// Height of the box of the table [mm]: rules that are long take two lines.
+/// Height of the box of the table and the piers below it [mm].
 double table_height(const Sheet& s)
 {
-    constexpr double kLine = 4.3, kFurther = 3.2, kHead = 17.0, kMost = 76.0 + kGivenUp;
-    const std::size_t in_line = s.spread_head.empty() ? 95 : 58; // characters
-    std::size_t further = s.spread_head.empty() ? 0 : 1;         // lines within a row
-    const std::size_t shown = std::min(s.limits.size(), kMostSheetLimits),
-                      rows = shown + (s.limits.size() > shown ? 1 : 0);
-    for (std::size_t i = 0; i < shown; ++i) further += s.limits[i].rule.size() / in_line;
-    return std::min(kMost, kHead + kLine * static_cast<double>(rows) +
-                               kFurther * static_cast<double>(further) + piers_height(s));
+    constexpr double kLine = 4.4, kFurther = 3.2, kHead = 15.0, kPierLine = 3.4,
+                     kMost = 95.0; // [mm]
+    const bool spread = !s.spread_head.empty();
+    double height = kHead + (spread ? kFurther : 0.0);
+    const std::size_t shown = std::min(s.limits.size(), kMostSheetLimits);
+    for (std::size_t i = 0; i < shown; ++i)
+        height += kLine + kFurther * static_cast<double>(
+                                         lines_of(s.limits[i].rule, spread ? 54 : 84) - 1);
+    if (s.limits.size() > shown) height += kLine;
+    for (const std::string& text : s.piers)
+        height += 0.8 + kPierLine * static_cast<double>(lines_of(text, 135));
+    return std::min(kMost, height);
 }
 
-std::string assumed_list(const Sheet& s)
+/// A list with its heading, as wide as `width` [mm].
+struct List {
+    std::string heading;
+    std::vector<std::string> items; ///< plain texts, for their length
+    std::string last;               ///< below the items
+    double width = 0.0;
+
+    /// Height of the first items [mm].
+    [[nodiscard]] double height(std::size_t shown) const
+    {
+        constexpr double kHeading = 6.0, kLine = 3.3, kGap = 0.9, kCharacter = 1.3; // [mm]
+        const auto in_line = static_cast<std::size_t>((width - 4.0) / kCharacter);
+        double sum = kHeading;
+        for (std::size_t i = 0; i < std::min(shown, items.size()); ++i)
+            sum += kGap + kLine * static_cast<double>(lines_of(items[i], in_line));
+        return sum + (last.empty() ? 0.0 : kLine);
+    }
+    /// Number of items that have room, at least one.
+    [[nodiscard]] std::size_t fitting(double room) const
+    {
+        std::size_t n = items.size();
+        while (n > 1 && height(n) > room) --n;
+        return n;
+    }
+};
+
+List assumed_list(const Sheet& s, double width)
 {
-    std::string body =
-        heading("What was assumed, and how much it mattered where it was measured") + "<ul>";
+    List list{"What was assumed, and how much it matters",
+              {},
+              "drystone choices shows what each of them does to this wall.",
+              width};
     for (const Assumption& a : s.assumed)
+        list.items.push_back(a.what + ": " + a.meaning + ". " + a.how_much + ".");
+    return list;
+}
+
+std::string assumed_text(const Sheet& s, const List& list, double room)
+{
+    std::string body = heading(list.heading) + "<ul>";
+    for (std::size_t i = 0; i < std::min(s.assumed.size(), list.fitting(room)); ++i) {
+        const Assumption& a = s.assumed[i];
         body += "<li><code>" + xml_escape(a.what) + "</code>: " + xml_escape(a.meaning) +
                 (a.how_much.empty() ? "" : ". <i>" + xml_escape(a.how_much) + "</i>") +
                 ".</li>";
-    return body + "</ul><p>drystone choices shows what each of them does to this wall.</p>";
+    }
+    return body + "</ul><p>" + list.last + "</p>";
 }
 
-std::string certainty_list(const Sheet& s)
+std::string certainty_text(const Sheet& s, const List& list)
 {
-    std::string body = heading("How sure is this?") + "<ul>";
+    std::string body = heading(list.heading) + "<ul>";
     for (const std::string& text : s.certainty) body += "<li>" + xml_escape(text) + "</li>";
     return body + "</ul>";
+}
+
+/// Heights of the lower half of the page, and how its lists share the width [mm].
+struct Lower {
+    double picture = 0.0, table = 0.0, lists = 0.0;
+    List assumed, certainty;
+};
+
+/// The picture takes what table and lists leave. Where that is little the lists give way.
+Lower lower_half(const Sheet& s, double width, double height)
+{
+    constexpr double kGap = 5.0, kLeast = 46.0, kSeen = 58.0, kMost = 88.0, kFewest = 34.0;
+    Lower lower;
+    lower.table = table_height(s);
+    double lists = 0.0;
+    for (std::size_t shown = std::max<std::size_t>(s.assumed.size(), 2); shown >= 2; --shown) {
+        lists = 1e9;
+        for (const double share : {0.6, 0.5, 0.4}) {
+            const double left = share * (width - kGap);
+            const List a = assumed_list(s, left),
+                       c{"How sure is this?", s.certainty, "", width - kGap - left};
+            const double tall = std::max(a.height(shown), c.height(c.items.size()));
+            if (tall >= lists) continue;
+            lists = tall;
+            lower.assumed = a;
+            lower.certainty = c;
+        }
+        if (height - lower.table - lists >= kSeen) break;
+    }
+    lower.picture = std::clamp(height - lower.table - std::max(kFewest, lists), kLeast, kMost);
+    lower.lists = height - lower.table - lower.picture;
+    return lower;
 }
 
 } // namespace
@@ -152,30 +218,31 @@ std::string certainty_list(const Sheet& s)
 std::string sheet_page(const Sheet& s)
 {
     constexpr double kLeft = 12.0, kWide = 186.0; // [mm]
-    constexpr double kHalf = 91.0, kRight = 107.0;
     std::string page =
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n" +
         std::string(kSheetMark) + "\n<title>" + xml_escape(s.title) + "</title>\n<style>" +
         std::string(kStyle) + "</style>\n</head>\n<body>\n<main>\n";
-    // The height of the table follows its rows; the lists below take what is left.
-    const double limits = table_height(s), given_up = std::clamp(limits - 76.0, 0.0, kGivenUp),
-                 table = 168.0 - given_up, lists = table + limits;
     page += box(kLeft, 9.0, kWide, 31.0, head(s));
     page += box(kLeft, 41.0, 66.0, 58.0,
                 heading("The wall") + fitted_picture(s.drawing, 66.0, 52.0));
     page += box(80.0, 41.0, 118.0, 58.0,
                 heading("Force over movement of the top, with all limits") +
                     fitted_picture(s.curve, 118.0, 52.0));
-    page += box(kLeft, 100.0, kWide, 67.0 - given_up,
+    constexpr double kMiddle = 100.0, kEnd = 286.0;
+    const Lower lower = lower_half(s, kWide, kEnd - kMiddle);
+    const double table = kMiddle + lower.picture, lists = table + lower.table;
+    page += box(kLeft, kMiddle, kWide, lower.picture,
                 heading("How it moves and fails") +
-                    fitted_picture(s.mechanism, kWide, 61.0 - given_up));
-    page += box(kLeft, table, kWide, limits, limits_table(s));
-    page += box(kLeft, lists, kHalf, 287.0 - lists,
-                "<div class=\"small\">" + assumed_list(s) + "</div>");
-    page += box(kRight, lists, kHalf, 287.0 - lists,
-                "<div class=\"small\">" + certainty_list(s) + "</div>");
+                    fitted_picture(s.mechanism, kWide, lower.picture - 7.0));
+    page += box(kLeft, table, kWide, lower.table, limits_table(s));
     page +=
-        box(kLeft, 288.0, kWide, 5.0, "<p class=\"small\">" + xml_escape(s.footer) + "</p>");
+        box(kLeft, lists, lower.assumed.width, lower.lists,
+            "<div class=\"small\">" + assumed_text(s, lower.assumed, lower.lists) + "</div>");
+    page +=
+        box(kLeft + kWide - lower.certainty.width, lists, lower.certainty.width, lower.lists,
+            "<div class=\"small\">" + certainty_text(s, lower.certainty) + "</div>");
+    page +=
+        box(kLeft, 288.0, kWide, 7.0, "<p class=\"small\">" + xml_escape(s.footer) + "</p>");
     return page + "</main>\n</body>\n</html>\n";
 }
 

@@ -79,6 +79,17 @@ void give_piers(Dimensions& d, const StorePiers& piers)
         d.give(name, {"/curve_point", "/pier"});
 }
 
+void give_spandrels(Dimensions& d, const StorePiers& spandrels)
+{
+    if (spandrels.places.empty()) return;
+    d.add("/spandrel", spandrels.places.size());
+    for (const char* name :
+         {"/spandrels/from", "/spandrels/to", "/spandrels/bottom", "/spandrels/top"})
+        d.give(name, {"/spandrel"});
+    for (const Column& c : spandrels.facts)
+        d.give("/spandrels/" + c.name, {"/wall", "/spandrel"});
+}
+
 } // namespace
 
 void put_dimensions(const hdf5::File& file, const StoreHead& head, std::uint64_t walls,
@@ -113,6 +124,7 @@ void put_dimensions(const hdf5::File& file, const StoreHead& head, std::uint64_t
     for (const char* name : {"/curves/displacement", "/curves/force"})
         d.give(name, {"/curve_point"});
     give_piers(d, head.piers);
+    give_spandrels(d, head.spandrels);
 }
 
 } // namespace app

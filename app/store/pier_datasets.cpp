@@ -13,50 +13,68 @@ namespace {
 using hdf5::Dataset;
 using hdf5::put_attribute;
 
-constexpr const char *kGroup = "/piers", *kMovement = "/piers/movement",
-                     *kShear = "/piers/shear", *kStorey = "/piers/storey";
-
-/// Dataset and field of each number of a place.
+/// Name and field of each number of a place.
 constexpr std::array<std::pair<const char*, double StorePier::*>, 4> kPlace = {
-    {{"/piers/from", &StorePier::from},
-     {"/piers/to", &StorePier::to},
-     {"/piers/bottom", &StorePier::bottom},
-     {"/piers/top", &StorePier::top}}};
+    {{"/from", &StorePier::from},
+     {"/to", &StorePier::to},
+     {"/bottom", &StorePier::bottom},
+     {"/top", &StorePier::top}}};
 
-std::string name_of(const Column& fact) { return std::string(kGroup) + "/" + fact.name; }
+/// A curve of each part, at the points of the curve of the wall.
+struct CurveOfPart {
+    const char* name;
+    const char* unit;
+    const char* meaning;
+    std::vector<double> PierRow::*values;
+};
+constexpr std::array kCurves = {
+    CurveOfPart{"/movement", "m",
+                "of the upper end of the pier against its lower end, in the direction of the "
+                "push",
+                &PierRow::movement},
+    CurveOfPart{"/shear", "N", "of the pier, in the direction of the push", &PierRow::shear}};
 
-std::vector<Dataset> made_facts(const hdf5::File& file, const StorePiers& piers,
-                                std::uint64_t walls)
+const StorePiers& stored_of(const StoreHead& head, const PartGroup& parts)
 {
-    std::vector<Dataset> made;
-    for (const Column& c : piers.facts)
-        made.emplace_back(file, name_of(c), H5T_IEEE_F64LE,
-                          std::vector<hsize_t>{walls, piers.places.size()});
-    return made;
+    return head.*parts.stored;
 }
 
-std::vector<Dataset> opened_facts(const hdf5::File& file, const StorePiers& piers)
+std::string name_of(const PartGroup& parts, const Column& fact)
 {
-    std::vector<Dataset> opened;
-    for (const Column& c : piers.facts) opened.emplace_back(file, name_of(c), 2);
-    return opened;
+    return parts.group + "/" + fact.name;
 }
 
 } // namespace
 
-PierDatasets::PierDatasets(const hdf5::File& file, const StoreHead& head, std::uint64_t walls,
-                           std::uint64_t points)
-    : file_(&file), piers_(head.piers.places.size()),
-      facts_(made_facts(file, head.piers, walls)),
-      movement_(file, kMovement, H5T_IEEE_F32LE, {points, piers_}),
-      shear_(file, kShear, H5T_IEEE_F32LE, {points, piers_})
+const std::vector<PartGroup>& part_groups()
 {
+    static const std::vector<PartGroup> all = {
+        {"/piers", "pier", &StoreHead::piers, &WallRow::piers, true},
+        {"/spandrels", "spandrel", &StoreHead::spandrels, &WallRow::spandrels, false}};
+    return all;
 }
 
-PierDatasets::PierDatasets(const hdf5::File& file, const StoreHead& head)
-    : file_(&file), piers_(head.piers.places.size()), facts_(opened_facts(file, head.piers)),
-      movement_(file, kMovement, 2), shear_(file, kShear, 2)
+PierDatasets::PierDatasets(const hdf5::File& file, const StoreHead& head,
+                           const PartGroup& parts, std::uint64_t walls, std::uint64_t points)
+    : file_(&file), parts_(&parts), piers_(stored_of(head, parts).places.size())
 {
+    for (const Column& c : stored_of(head, parts).facts)
+        facts_.emplace_back(file, name_of(parts, c), H5T_IEEE_F64LE,
+                            std::vector<hsize_t>{walls, piers_});
+    if (!parts.curves) return;
+    for (const CurveOfPart& c : kCurves)
+        curves_.emplace_back(file, parts.group + c.name, H5T_IEEE_F32LE,
+                             std::vector<hsize_t>{points, piers_});
+}
+
+PierDatasets::PierDatasets(const hdf5::File& file, const StoreHead& head,
+                           const PartGroup& parts)
+    : file_(&file), parts_(&parts), piers_(stored_of(head, parts).places.size())
+{
+    for (const Column& c : stored_of(head, parts).facts)
+        facts_.emplace_back(file, name_of(parts, c), 2);
+    if (!parts.curves) return;
+    for (const CurveOfPart& c : kCurves) curves_.emplace_back(file, parts.group + c.name, 2);
 }
 
 void PierDatasets::require(std::uint64_t walls, std::uint64_t points) const
@@ -64,11 +82,10 @@ void PierDatasets::require(std::uint64_t walls, std::uint64_t points) const
     const auto check = [&](const Dataset& d, std::uint64_t rows) {
         d.require_rows(rows);
         if (d.width() != piers_)
-            damaged(file_->path, d.name() + " has not one column per pier");
+            damaged(file_->path, d.name() + " has not one column per " + parts_->noun);
     };
     for (const Dataset& fact : facts_) check(fact, walls);
-    check(movement_, points);
-    check(shear_, points);
+    for (const Dataset& curve : curves_) check(curve, points);
 }
 
 void PierDatasets::write(std::uint64_t first, std::uint64_t point,
@@ -78,96 +95,119 @@ void PierDatasets::write(std::uint64_t first, std::uint64_t point,
         std::vector<double> values;
         for (const WallRow& row : rows)
             for (std::size_t p = 0; p < piers_; ++p)
-                values.push_back(row.piers.facts[k * piers_ + p]);
+                values.push_back((row.*parts_->row).facts[k * piers_ + p]);
         facts_[k].write(first, std::span<const double>(values));
     }
-    std::vector<double> movement, shear;
-    for (const WallRow& row : rows) {
-        movement.insert(movement.end(), row.piers.movement.begin(), row.piers.movement.end());
-        shear.insert(shear.end(), row.piers.shear.begin(), row.piers.shear.end());
+    for (std::size_t k = 0; k < curves_.size(); ++k) {
+        std::vector<double> all;
+        for (const WallRow& row : rows) {
+            const std::vector<double>& values = (row.*parts_->row).*kCurves[k].values;
+            all.insert(all.end(), values.begin(), values.end());
+        }
+        curves_[k].write(point, std::span<const double>(all));
     }
-    movement_.write(point, std::span<const double>(movement));
-    shear_.write(point, std::span<const double>(shear));
 }
 
 void PierDatasets::read(std::uint64_t first, std::uint64_t point, std::span<WallRow> rows) const
 {
     for (const Dataset& fact : facts_) {
         const auto values = fact.read<double>(first, rows.size());
-        for (std::size_t i = 0; i < rows.size(); ++i)
-            rows[i].piers.facts.insert(rows[i].piers.facts.end(), &values[i * piers_],
-                                       &values[i * piers_] + piers_);
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            std::vector<double>& all = (rows[i].*parts_->row).facts;
+            all.insert(all.end(), &values[i * piers_], &values[i * piers_] + piers_);
+        }
     }
     std::size_t points = 0;
     for (const WallRow& row : rows) points += row.curve.force.size();
-    const auto movement = movement_.read<double>(point, points),
-               shear = shear_.read<double>(point, points);
-    const double *m = movement.data(), *v = shear.data();
-    for (WallRow& row : rows) {
-        const std::size_t n = row.curve.force.size() * piers_;
-        row.piers.movement.assign(m, m + n);
-        row.piers.shear.assign(v, v + n);
-        m += n, v += n;
+    for (std::size_t k = 0; k < curves_.size(); ++k) {
+        const auto values = curves_[k].read<double>(point, points);
+        const double* next = values.data();
+        for (WallRow& row : rows) {
+            const std::size_t n = row.curve.force.size() * piers_;
+            ((row.*parts_->row).*kCurves[k].values).assign(next, next + n);
+            next += n;
+        }
     }
 }
 
-void put_piers(const hdf5::File& file, const StorePiers& piers)
+namespace {
+
+void put_group(const hdf5::File& file, const StorePiers& stored, const PartGroup& parts)
 {
-    if (piers.places.empty()) return;
-    const auto put = [&](const std::string& dataset, const char* unit, const char* meaning) {
+    const auto put = [&](const std::string& dataset, const std::string& unit,
+                         const std::string& meaning) {
         put_attribute(file, dataset, "unit", unit);
-        put_attribute(file, dataset, "units", std::string(unit) == "-" ? "1" : unit);
+        put_attribute(file, dataset, "units", unit == "-" ? "1" : unit);
         put_attribute(file, dataset, "meaning", meaning);
     };
     for (const auto& [name, field] : kPlace) {
         std::vector<double> values;
-        for (const StorePier& p : piers.places) values.push_back(p.*field);
-        Dataset(file, name, hdf5::type_of<double>(), {values.size()})
+        for (const StorePier& p : stored.places) values.push_back(p.*field);
+        Dataset(file, parts.group + name, hdf5::type_of<double>(), {values.size()})
             .write(0, std::span<const double>(values));
-        put(name, "m", "of the pier");
+        put(parts.group + name, "m", "of the " + parts.noun);
     }
-    std::vector<std::uint32_t> storeys;
-    for (const StorePier& p : piers.places) storeys.push_back(p.storey);
-    Dataset(file, kStorey, hdf5::type_of<std::uint32_t>(), {storeys.size()})
-        .write(0, std::span<const std::uint32_t>(storeys));
-    put(kStorey, "-", "of the pier, from 1 at the bottom");
+    if (parts.curves) {
+        const std::string dataset = parts.group + "/storey";
+        std::vector<std::uint32_t> storeys;
+        for (const StorePier& p : stored.places) storeys.push_back(p.storey);
+        Dataset(file, dataset, hdf5::type_of<std::uint32_t>(), {storeys.size()})
+            .write(0, std::span<const std::uint32_t>(storeys));
+        put(dataset, "-", "of the pier, from 1 at the bottom");
+    }
     std::string names;
-    for (const Column& c : piers.facts) {
+    for (const Column& c : stored.facts) {
         names += (names.empty() ? "" : " ") + c.name;
-        put(name_of(c), c.unit.c_str(), c.meaning.c_str());
+        put(name_of(parts, c), c.unit, c.meaning);
     }
-    put_attribute(file, kGroup, "columns", names);
-    put(kMovement, "m",
-        "of the upper end of the pier against its lower end, in the direction of the push");
-    put(kShear, "N", "of the pier, in the direction of the push");
+    put_attribute(file, parts.group, "columns", names);
+    if (parts.curves)
+        for (const CurveOfPart& c : kCurves) put(parts.group + c.name, c.unit, c.meaning);
 }
 
-StorePiers stored_piers(const hdf5::File& file)
+StorePiers stored_group(const hdf5::File& file, const PartGroup& parts)
 {
-    StorePiers piers;
-    if (file.checked(H5Lexists(file.id.get(), kGroup, H5P_DEFAULT), "find piers in") <= 0)
-        return piers;
+    StorePiers stored;
+    if (file.checked(H5Lexists(file.id.get(), parts.group.c_str(), H5P_DEFAULT),
+                     "find piers in") <= 0)
+        return stored;
     for (const auto& [name, field] : kPlace) {
-        const Dataset from(file, name);
+        const Dataset from(file, parts.group + name);
         if (from.rows() == 0 || from.rows() > kMostPiers ||
-            (!piers.places.empty() && from.rows() != piers.places.size()))
-            damaged(file.path,
-                    std::string(name) + " has " + std::to_string(from.rows()) + " piers");
+            (!stored.places.empty() && from.rows() != stored.places.size()))
+            damaged(file.path, parts.group + name + " has " + std::to_string(from.rows()) +
+                                   " " + parts.noun + "s");
         const auto values = from.read<double>(0, from.rows());
-        piers.places.resize(values.size());
-        for (std::size_t i = 0; i < values.size(); ++i) piers.places[i].*field = values[i];
+        stored.places.resize(values.size());
+        for (std::size_t i = 0; i < values.size(); ++i) stored.places[i].*field = values[i];
     }
-    const Dataset storeys(file, kStorey);
-    storeys.require_rows(piers.places.size());
-    const auto storey = storeys.read<std::uint32_t>(0, storeys.rows());
-    for (std::size_t i = 0; i < storey.size(); ++i) piers.places[i].storey = storey[i];
-    std::istringstream names(hdf5::text_attribute(file, kGroup, "columns"));
+    if (parts.curves) {
+        const Dataset storeys(file, parts.group + "/storey");
+        storeys.require_rows(stored.places.size());
+        const auto storey = storeys.read<std::uint32_t>(0, storeys.rows());
+        for (std::size_t i = 0; i < storey.size(); ++i) stored.places[i].storey = storey[i];
+    }
+    std::istringstream names(hdf5::text_attribute(file, parts.group, "columns"));
     for (std::string name; names >> name;) {
-        const std::string dataset = std::string(kGroup) + "/" + name;
-        piers.facts.push_back({name, hdf5::text_attribute(file, dataset, "unit"),
-                               hdf5::text_attribute(file, dataset, "meaning")});
+        const std::string dataset = parts.group + "/" + name;
+        stored.facts.push_back({name, hdf5::text_attribute(file, dataset, "unit"),
+                                hdf5::text_attribute(file, dataset, "meaning")});
     }
-    return piers;
+    return stored;
+}
+
+} // namespace
+
+void put_parts(const hdf5::File& file, const StoreHead& head)
+{
+    for (const PartGroup& parts : part_groups())
+        if (const StorePiers& stored = stored_of(head, parts); !stored.places.empty())
+            put_group(file, stored, parts);
+}
+
+void read_parts(const hdf5::File& file, StoreHead& head)
+{
+    for (const PartGroup& parts : part_groups()) head.*parts.stored = stored_group(file, parts);
 }
 
 } // namespace app

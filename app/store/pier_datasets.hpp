@@ -1,6 +1,6 @@
 #pragma once
-/// The datasets of a wall file that hold piers, in the group /piers: one row per wall, or per
-/// point of a curve, and one column per pier.
+/// The datasets of a wall file that hold piers and spandrels, in the groups /piers and
+/// /spandrels: one row per wall, or per point of a curve, and one column per pier.
 
 #include "app/store/hdf5_dataset.hpp"
 #include "app/store/store_head.hpp"
@@ -8,17 +8,28 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace app {
+
+/// A group of parts: where they are in a head, in a row and in a file.
+struct PartGroup {
+    std::string group; ///< "/piers"
+    std::string noun;  ///< "pier"
+    StorePiers StoreHead::*stored;
+    PierRow WallRow::*row;
+    bool curves; ///< whether it has storeys and curves
+};
+[[nodiscard]] const std::vector<PartGroup>& part_groups();
 
 /// docs/store.md says what they hold. Made for writing or opened for reading; file and head
 /// must outlive them.
 class PierDatasets {
   public:
-    PierDatasets(const hdf5::File& file, const StoreHead& head, std::uint64_t walls,
-                 std::uint64_t points);
-    PierDatasets(const hdf5::File& file, const StoreHead& head);
+    PierDatasets(const hdf5::File& file, const StoreHead& head, const PartGroup& parts,
+                 std::uint64_t walls, std::uint64_t points);
+    PierDatasets(const hdf5::File& file, const StoreHead& head, const PartGroup& parts);
 
     /// Throws StoreError if they have not these numbers of rows.
     void require(std::uint64_t walls, std::uint64_t points) const;
@@ -29,14 +40,15 @@ class PierDatasets {
 
   private:
     const hdf5::File* file_;
+    const PartGroup* parts_;
     std::size_t piers_;
-    std::vector<hdf5::Dataset> facts_; ///< in the order of StorePiers::facts
-    hdf5::Dataset movement_, shear_;
+    std::vector<hdf5::Dataset> facts_;  ///< in the order of StorePiers::facts
+    std::vector<hdf5::Dataset> curves_; ///< movement and shear, or nothing
 };
 
 /// Places of the piers, and units and meanings of the datasets, which must be there.
-void put_piers(const hdf5::File& file, const StorePiers& piers);
-/// Nothing where the file has no piers. Throws StoreError.
-[[nodiscard]] StorePiers stored_piers(const hdf5::File& file);
+void put_parts(const hdf5::File& file, const StoreHead& head);
+/// Sets those of a head; nothing where the file has none. Throws StoreError.
+void read_parts(const hdf5::File& file, StoreHead& head);
 
 } // namespace app

@@ -43,6 +43,17 @@ void check_columns(const char* list, const std::vector<Column>& columns)
     }
 }
 
+void check_parts(const std::string& name, const StorePiers& parts)
+{
+    check_columns((name + "s").c_str(), parts.facts);
+    require(parts.places.size() <= kMostPiers,
+            "there must be at most " + std::to_string(kMostPiers) + " " + name + "s");
+    for (const StorePier& p : parts.places)
+        require(std::isfinite(p.from) && std::isfinite(p.to) && std::isfinite(p.bottom) &&
+                    std::isfinite(p.top) && p.from < p.to && p.bottom < p.top,
+                "a " + name + " must have a width and a height");
+}
+
 std::vector<std::string> lines_of(const std::string& text)
 {
     std::vector<std::string> lines;
@@ -221,13 +232,8 @@ void check_head(const StoreHead& head)
     check_columns("responses", head.responses);
     check_columns("counts", head.counts);
     check_columns("cost", head.cost);
-    check_columns("piers", head.piers.facts);
-    require(head.piers.places.size() <= kMostPiers,
-            "there must be at most " + std::to_string(kMostPiers) + " piers");
-    for (const StorePier& p : head.piers.places)
-        require(std::isfinite(p.from) && std::isfinite(p.to) && std::isfinite(p.bottom) &&
-                    std::isfinite(p.top) && p.from < p.to && p.bottom < p.top,
-                "a pier must have a width and a height");
+    check_parts("pier", head.piers);
+    check_parts("spandrel", head.spandrels);
 }
 
 void check_row(const StoreHead& head, const WallRow& row)
@@ -250,14 +256,19 @@ void check_row(const StoreHead& head, const WallRow& row)
     length("forces of the curve", row.curve.force.size(), row.curve.displacement.size());
     require_row(row.curve.force.size() <= kMostPoints,
                 "the curve has more than " + std::to_string(kMostPoints) + " points");
-    const std::size_t piers = head.piers.places.size();
-    length("facts of piers", row.piers.facts.size(), piers * head.piers.facts.size());
-    length("movements of piers", row.piers.movement.size(), piers * row.curve.force.size());
-    length("shears of piers", row.piers.shear.size(), piers * row.curve.force.size());
-    for (const auto* values : {&row.piers.facts, &row.piers.movement, &row.piers.shear})
-        require_row(std::ranges::none_of(
-                        *values, [](double v) { return !std::isnan(v) && !is_sound(v); }),
-                    "a number of a pier is not a finite number of at most 1e30");
+    const auto parts = [&](const std::string& name, const StorePiers& stored, const PierRow& is,
+                           std::size_t points) {
+        const std::size_t n = stored.places.size();
+        length(("facts of " + name).c_str(), is.facts.size(), n * stored.facts.size());
+        length(("movements of " + name).c_str(), is.movement.size(), n * points);
+        length(("shears of " + name).c_str(), is.shear.size(), n * points);
+        for (const auto* values : {&is.facts, &is.movement, &is.shear})
+            require_row(std::ranges::none_of(
+                            *values, [](double v) { return !std::isnan(v) && !is_sound(v); }),
+                        "a number of " + name + " is not a finite number of at most 1e30");
+    };
+    parts("piers", head.piers, row.piers, row.curve.force.size());
+    parts("spandrels", head.spandrels, row.spandrels, 0);
     check_sound(row, row.inputs, "input");
     if (row.status == kWallOk) {
         check_sound(row, row.curve.displacement, "displacement");
@@ -318,10 +329,15 @@ std::string study_text(const StoreHead& head)
     add("response", head.responses);
     add("count", head.counts);
     add("cost", head.cost);
-    add("pier", head.piers.facts);
-    for (const StorePier& p : head.piers.places)
-        text += "pier at " + std::to_string(p.from) + " to " + std::to_string(p.to) + " m, " +
-                std::to_string(p.bottom) + " to " + std::to_string(p.top) + " m\n";
+    const auto add_parts = [&](const char* name, const StorePiers& parts) {
+        add(name, parts.facts);
+        for (const StorePier& p : parts.places)
+            text += std::string(name) + " at " + std::to_string(p.from) + " to " +
+                    std::to_string(p.to) + " m, " + std::to_string(p.bottom) + " to " +
+                    std::to_string(p.top) + " m\n";
+    };
+    add_parts("pier", head.piers);
+    add_parts("spandrel", head.spandrels);
     return text;
 }
 
@@ -335,12 +351,13 @@ StoreHead continued_head(const std::string& file, const StoreHead& stored,
                          const StoreHead& wanted)
 {
     check_revision(file, stored, wanted);
-    const std::string why = study_difference(stored, wanted);
+    StoreHead head = wanted;
+    if (stored.spandrels.places.empty()) head.spandrels = {}; // of a version before
+    const std::string why = study_difference(stored, head);
     if (!why.empty())
         refuse(file, "has other inputs (-: in the file, +: in this study):\n" + why);
     check_levels(file, stored, wanted);
 
-    StoreHead head = wanted;
     head.design_sizes = stored.design_sizes;
     const std::uint32_t largest = most_samples(wanted.levels);
     if (largest > (head.design_sizes.empty() ? 0 : head.design_sizes.back()))

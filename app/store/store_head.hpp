@@ -37,16 +37,17 @@ struct StoreLevel {
     friend bool operator==(const StoreLevel&, const StoreLevel&) = default;
 };
 
-/// A pier of a wall with openings: where it is [m], and in which storey, from 1 at the bottom.
+/// A pier or a spandrel of a wall with openings: where it is [m], and its storey, from 1 at the
+/// bottom.
 struct StorePier {
     double from = 0.0, to = 0.0, bottom = 0.0, top = 0.0;
     std::uint32_t storey = 1;
     friend bool operator==(const StorePier&, const StorePier&) = default;
 };
 
-/// Piers that all walls of a study have, and the facts that are stored of each.
+/// Piers or spandrels that all walls of a study have, and the facts that are stored of each.
 struct StorePiers {
-    std::vector<StorePier> places; ///< empty: piers are not told apart
+    std::vector<StorePier> places; ///< empty: they are not told apart
     std::vector<Column> facts;
     friend bool operator==(const StorePiers&, const StorePiers&) = default;
 };
@@ -77,7 +78,7 @@ struct StoreHead {
     std::vector<Column> inputs, responses, counts, cost;
     bool single_precision_curves = false; ///< curves are rounded to float when a wall is added
     std::vector<StoreSession> sessions;   ///< oldest first
-    StorePiers piers{};
+    StorePiers piers{}, spandrels{};      ///< of files of before 0.4.0 no spandrels
     friend bool operator==(const StoreHead&, const StoreHead&) = default;
 };
 
@@ -133,7 +134,8 @@ void check_row(const StoreHead& head, const WallRow& row);
 /// The head with which a stored study goes on, if it may. `wanted` may have more samples,
 /// further levels after the stored ones, another configuration text and other sessions; the
 /// largest number of samples is added to `design_sizes` if it exceeds the last, and sessions
-/// are added after the stored ones. Precision stays as stored. Throws StoreError(`file`: what
+/// are added after the stored ones. Precision stays as stored. A file without spandrels, of a
+/// version before, goes on without. Throws StoreError(`file`: what
 /// differs, what to do) if revision, identity, seed, columns, shard or stored levels differ, or
 /// if fewer samples are wanted than before.
 [[nodiscard]] StoreHead continued_head(const std::string& file, const StoreHead& stored,

@@ -45,10 +45,10 @@ struct WallCurve {
 
 constexpr std::size_t kMaxReason = 500; ///< [bytes] kept of WallRow::reason
 
-/// Piers of a wall; nothing in studies whose piers are not told apart. By pier within a fact,
-/// and within a point of the curve.
+/// Piers or spandrels of a wall; nothing in studies whose piers are not told apart. By pier
+/// within a fact, and within a point of the curve. Spandrels have no curves.
 struct PierRow {
-    std::vector<double> facts;           ///< of StoreHead::piers; NaN: not defined
+    std::vector<double> facts;           ///< of StoreHead::piers or spandrels; NaN: not defined
     std::vector<double> movement, shear; ///< at the points of the curve [m] [N]; NaN: not read
 };
 
@@ -63,7 +63,7 @@ struct WallRow {
     std::vector<std::int64_t> counts;
     std::vector<double> cost; ///< not reproducible: seconds
     WallCurve curve;
-    PierRow piers{};
+    PierRow piers{}, spandrels{};
 };
 
 } // namespace app

@@ -134,7 +134,8 @@ void put_head(const hdf5::File& file, const StoreHead& head)
     for (const char* group :
          {"/levels", "/sessions", "/walls", "/responses", "/counts", "/cost", "/curves"})
         hdf5::make_group(file, group);
-    if (!head.piers.places.empty()) hdf5::make_group(file, "/piers");
+    for (const PartGroup& parts : part_groups())
+        if (!(head.*parts.stored).places.empty()) hdf5::make_group(file, parts.group);
     hdf5::put_texts(file, "/configuration", {head.configuration});
     hdf5::put_texts(file, "/identity", {head.identity});
     std::vector<double> stress;
@@ -183,7 +184,7 @@ void put_columns(const hdf5::File& file, const StoreHead& head)
         {{"displacement", "m", "of the top of the wall"}, {"force", "N", "horizontal load"}},
         true);
     put_attribute(file, "/walls/inputs", "missing", missing);
-    put_piers(file, head.piers);
+    put_parts(file, head);
 }
 
 StoreHead stored_head(const hdf5::File& file)
@@ -217,7 +218,7 @@ StoreHead stored_head(const hdf5::File& file)
     head.responses = columns(file, "/responses");
     head.counts = columns(file, "/counts");
     head.cost = columns(file, "/cost");
-    head.piers = stored_piers(file);
+    read_parts(file, head);
     head.single_precision_curves =
         Dataset(file, "/curves/force").value_bytes() == sizeof(float);
     try {

@@ -85,7 +85,9 @@ WallDatasets::WallDatasets(const hdf5::File& file, const StoreHead& head, std::u
       force_(file, "/curves/force",
              head.single_precision_curves ? H5T_IEEE_F32LE : H5T_IEEE_F64LE, {points})
 {
-    if (!head.piers.places.empty()) piers_.emplace(file, head, walls, points);
+    for (const PartGroup& parts : part_groups())
+        if (!(head.*parts.stored).places.empty())
+            parts_.emplace_back(file, head, parts, walls, points);
     const std::uint64_t begin = 0;
     offset_.write(0, std::span(&begin, 1));
 }
@@ -103,7 +105,11 @@ WallDatasets::WallDatasets(const hdf5::File& file, const StoreHead& head)
     force_.require_rows(displacement_.rows());
     if (inputs_.width() != head.inputs.size())
         damaged(file.path, "there is not a name for each input");
-    if (!head.piers.places.empty()) piers_.emplace(file, head).require(n, force_.rows());
+    for (const PartGroup& parts : part_groups())
+        if (!(head.*parts.stored).places.empty()) {
+            parts_.emplace_back(file, head, parts);
+            parts_.back().require(n, force_.rows());
+        }
 }
 
 std::vector<StoredWall> WallDatasets::index() const
@@ -160,7 +166,7 @@ std::uint64_t WallDatasets::write(std::uint64_t first, std::uint64_t point,
     displacement_.write(point, std::span<const double>(displacements));
     force_.write(point, std::span<const double>(forces));
     offset_.write(first + 1, std::span<const std::uint64_t>(ends));
-    if (piers_) piers_->write(first, point, rows);
+    for (PierDatasets& parts : parts_) parts.write(first, point, rows);
     return point + displacements.size();
 }
 
@@ -184,6 +190,7 @@ std::vector<WallRow> WallDatasets::read(std::uint64_t first,
                         std::vector<std::int64_t>(head_->counts.size()),
                         std::vector<double>(head_->cost.size()),
                         {},
+                        {},
                         {}};
     std::vector<WallRow> rows(walls.size(), empty);
     auto next = numbers_.begin();
@@ -206,7 +213,7 @@ std::vector<WallRow> WallDatasets::read(std::uint64_t first,
         rows[i].curve.force.assign(f, f + walls[i].points);
         input += inputs_.width(), u += walls[i].points, f += walls[i].points;
     }
-    if (piers_) piers_->read(first, point, rows);
+    for (const PierDatasets& parts : parts_) parts.read(first, point, rows);
     for (const WallRow& row : rows) require_sound(row);
     return rows;
 }

@@ -42,7 +42,7 @@ class WallDatasets {
     const StoreHead* head_;
     std::vector<hdf5::Dataset> numbers_; ///< one number per wall each: key, status, columns
     hdf5::Dataset reason_, inputs_, offset_, displacement_, force_;
-    std::optional<PierDatasets> piers_; ///< where piers are told apart
+    std::vector<PierDatasets> parts_; ///< piers and spandrels, where they are told apart
 };
 
 } // namespace app

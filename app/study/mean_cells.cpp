@@ -1,6 +1,7 @@
 #include "app/study/mean_cells.hpp"
 
 #include "core/moments.hpp"
+#include "core/sample_quantile.hpp"
 #include "fragility/observed_quantile.hpp"
 #include "uq/estimates/estimate.hpp"
 
@@ -41,6 +42,13 @@ Number cov_cell(std::span<const double> values)
     if (sound.size() < 2) return {};
     const core::Moments m = core::moments(sound);
     return m.mean > 0.0 ? plain_number(m.sd / m.mean, 2) : Number{};
+}
+
+Number median_number(std::vector<double> values, int decimals)
+{
+    if (values.empty()) return {};
+    std::ranges::sort(values);
+    return plain_number(core::sample_quantile(values, 0.5), decimals);
 }
 
 } // namespace app

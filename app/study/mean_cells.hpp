@@ -5,6 +5,7 @@
 #include "fragility/observation.hpp"
 
 #include <span>
+#include <vector>
 
 namespace app {
 
@@ -21,5 +22,8 @@ namespace app {
 
 /// Coefficient of variation of the sound values; nothing for a single one.
 [[nodiscard]] Number cov_cell(std::span<const double> values);
+
+/// Median of plain numbers; empty without any.
+[[nodiscard]] Number median_number(std::vector<double> values, int decimals);
 
 } // namespace app

@@ -1,5 +1,5 @@
 #pragma once
-/// Piers in the file of a study: one table says which facts are stored.
+/// Piers and spandrels in the file of a study: one table of each says which facts are stored.
 
 #include "app/store/store_head.hpp"
 #include "app/store/store_row.hpp"
@@ -21,5 +21,12 @@ namespace app {
 [[nodiscard]] std::vector<PierFacts> pier_facts_of(const PierRow& row, const StorePiers& piers);
 
 [[nodiscard]] std::vector<dem::Pier> piers_of(const StorePiers& piers);
+
+/// The same of spandrels, which have no curves of their own.
+[[nodiscard]] StorePiers stored_spandrels_of(const Study& study);
+[[nodiscard]] PierRow spandrel_row(const PushedWall& wall, const StorePiers& spandrels);
+[[nodiscard]] std::vector<SpandrelFacts> spandrel_facts_of(const PierRow& row,
+                                                           const StorePiers& spandrels);
+[[nodiscard]] std::vector<dem::Spandrel> spandrels_of(const StorePiers& spandrels);
 
 } // namespace app

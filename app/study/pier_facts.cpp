@@ -100,4 +100,17 @@ std::vector<PierFacts> pier_facts(const Study& study, const dem::PierProbe& prob
     return facts;
 }
 
+std::vector<SpandrelFacts> spandrel_facts(const PierHistory& history, const PierHistory& calm)
+{
+    std::vector<SpandrelFacts> facts;
+    for (std::size_t i = 0; i < history.front().spandrels.size(); ++i) {
+        const dem::CutForce peak = calm[at_peak(calm)].spandrels[i].force;
+        SpandrelFacts f{peak.normal, peak.shear, 0.0, history.back().spandrels[i].drop};
+        for (const PierInstant& now : calm)
+            f.most_shear = std::max(f.most_shear, std::abs(now.spandrels[i].force.shear));
+        facts.push_back(f);
+    }
+    return facts;
+}
+
 } // namespace app

@@ -1,6 +1,6 @@
 #pragma once
-/// Facts of the piers of a pushed wall. They do not depend on the rules of [fragility]: the
-/// file of a study keeps them, and pier_reading.hpp reads them.
+/// Facts of the piers and spandrels of a pushed wall. They do not depend on the rules of
+/// [fragility]: the file of a study keeps them, and pier_reading.hpp reads them.
 
 #include "app/study/pier_history.hpp"
 #include "dem/scene/mechanism.hpp"
@@ -30,6 +30,16 @@ struct PierFacts {
     /// against its lower end [m], and shear [N].
     std::vector<double> movement, shear;
 };
+
+/// Facts of a spandrel, cut in the middle of its opening.
+struct SpandrelFacts {
+    double normal_at_peak = 0.0; ///< compression when the wall carries most [N]
+    double shear_at_peak = 0.0;  ///< by how much its right half presses its left half down [N]
+    double most_shear = 0.0;     ///< in the push, in either sense [N], >= 0
+    double end_drop = 0.0; ///< of its right end against its left end, downwards, at the end [m]
+};
+[[nodiscard]] std::vector<SpandrelFacts> spandrel_facts(const PierHistory& history,
+                                                        const PierHistory& calm);
 
 /// @param history of at least two points
 /// @param moved by which the mode of the wall is read

@@ -20,13 +20,13 @@ void set_mean(const PierHistory& history, std::size_t first, std::size_t last, P
     const double share = 1.0 / static_cast<double>(last - first + 1);
     now.base_shear = 0.0;
     for (dem::PierState& p : now.piers) p.force = {};
-    for (dem::CutForce& s : now.spandrels) s = {};
+    for (dem::SpandrelState& s : now.spandrels) s.force = {};
     for (std::size_t k = first; k <= last; ++k) {
         now.base_shear += share * history[k].base_shear;
         for (std::size_t i = 0; i < now.piers.size(); ++i)
             add(now.piers[i].force, history[k].piers[i].force, share);
         for (std::size_t i = 0; i < now.spandrels.size(); ++i)
-            add(now.spandrels[i], history[k].spandrels[i], share);
+            add(now.spandrels[i].force, history[k].spandrels[i].force, share);
     }
 }
 

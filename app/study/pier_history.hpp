@@ -13,7 +13,7 @@ struct PierInstant {
     double displacement = 0.0, force = 0.0; ///< of the load line [m] [N]
     double base_shear = 0.0;                ///< mean since the point before, as all forces [N]
     std::vector<dem::PierState> piers; ///< in the order of dem::Piers; movements are of now
-    std::vector<dem::CutForce> spandrels;
+    std::vector<dem::SpandrelState> spandrels;
 };
 using PierHistory = std::vector<PierInstant>;
 [[nodiscard]] PierInstant pier_instant(const dem::PierProbe& probe, const dem::Snapshot& shot);

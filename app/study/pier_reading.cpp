@@ -76,19 +76,6 @@ PierReading read_pier(const PierRules& how, const dem::Pier& pier, const PierFac
     return r;
 }
 
-SpandrelReading read_spandrel(const dem::PierProbe& probe, const PierHistory& history,
-                              std::size_t i)
-{
-    SpandrelReading r;
-    r.spandrel = probe.piers().spandrels[i];
-    const dem::CutForce peak = history[at_peak(history)].spandrels[i];
-    r.normal_at_peak = peak.normal;
-    r.shear_at_peak = peak.shear;
-    for (const PierInstant& now : history)
-        r.most_shear = std::max(r.most_shear, std::abs(now.spandrels[i].shear));
-    return r;
-}
-
 struct StoreySum {
     double shear = 0.0, normal = 0.0; ///< [N]
 };
@@ -167,6 +154,17 @@ std::vector<PierReading> read_piers(const PierRules& rules, std::span<const dem:
     return found;
 }
 
+std::vector<SpandrelReading> read_spandrels(std::span<const dem::Spandrel> spandrels,
+                                            std::span<const SpandrelFacts> facts)
+{
+    std::vector<SpandrelReading> found;
+    for (std::size_t i = 0; i < std::min(spandrels.size(), facts.size()); ++i)
+        found.push_back(
+            {spandrels[i], facts[i],
+             fragility::drift(facts[i].end_drop, spandrels[i].at.x1 - spandrels[i].at.x0)});
+    return found;
+}
+
 ReadingRules with_piers(ReadingRules rules, const std::vector<PierReading>& piers)
 {
     rules.by_piers = true;
@@ -199,8 +197,7 @@ void read_piers(const Study& study, const dem::PierProbe& probe, const PierHisto
     wall.piers =
         read_piers(rules, probe.piers().piers,
                    pier_facts(study, probe, history, calm, wall, telling(wall.result)), curve);
-    for (std::size_t i = 0; i < probe.piers().spandrels.size(); ++i)
-        wall.spandrels.push_back(read_spandrel(probe, calm, i));
+    wall.spandrels = read_spandrels(probe.piers().spandrels, spandrel_facts(history, calm));
     if (wall.piers.empty()) return;
     wall.pier_balance = balance_of(probe.piers(), calm);
     if (study.load.pattern == dem::LoadPattern::body)

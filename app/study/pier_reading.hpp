@@ -43,9 +43,12 @@ struct PierReading {
 
 struct SpandrelReading {
     dem::Spandrel spandrel;
-    double normal_at_peak = 0.0, shear_at_peak = 0.0; ///< when the wall carries most [N]
-    double most_shear = 0.0;                          ///< in either sense [N]
+    SpandrelFacts facts;
+    double drift = 0.0; ///< end_drop over its length [-]
 };
+/// @param facts of each; empty: nothing was read of them
+[[nodiscard]] std::vector<SpandrelReading>
+read_spandrels(std::span<const dem::Spandrel> spandrels, std::span<const SpandrelFacts> facts);
 
 /// Largest misses of equilibrium in the cuts through a storey, calmed(), at any curve point.
 struct PierBalance {

@@ -16,6 +16,13 @@ inline constexpr std::string_view kPierNumbers =
     "the "
     "end of the push. H0/D: moment over shear and length, when the pier carries most.";
 
+/// Caption of tables of spandrels.
+inline constexpr std::string_view kSpandrelNumbers =
+    "Masonry and lintel above each opening, cut in the middle of the opening, when the wall "
+    "carries most: N, compression along the wall; V, by how much its right half presses its "
+    "left half down. Drift: by how much its right end is lower than its left end, over its "
+    "length, at the end of the push.";
+
 /// Whether openings divide the masonry into pieces that stand upright beside each other: walls
 /// with doors or windows, portals, arches on piers. A bare arch leans all the way from its
 /// springing, and has none.

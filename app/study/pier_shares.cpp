@@ -1,12 +1,11 @@
 #include "app/study/pier_shares.hpp"
 
 #include "app/output/cells.hpp"
-#include "app/output/table_columns.hpp"
 #include "app/study/both_ways.hpp"
 #include "app/study/fragility_text.hpp"
+#include "app/study/mean_cells.hpp"
 #include "app/study/pier_remark.hpp"
 #include "app/text/number_text.hpp"
-#include "core/sample_quantile.hpp"
 #include "fragility/code_table.hpp"
 #include "fragility/drift.hpp"
 #include "fragility/share.hpp"
@@ -45,69 +44,6 @@ std::string counts_of(const StudyWalls& study, const StudyLevel& level, std::siz
         text += (text.empty() ? "" : ", ") + governing_text(study, g) + ": " +
                 std::to_string(g.walls);
     return text;
-}
-
-/// Walls and the piers that one push of them moved.
-struct Side {
-    int direction = 1;
-    const std::vector<StudyPier>& (*piers)(const StudyWall&);
-};
-
-Number median_number(std::vector<double> values, int decimals)
-{
-    if (values.empty()) return {};
-    std::ranges::sort(values);
-    return plain_number(core::sample_quantile(values, 0.5), decimals);
-}
-
-/// A pier in all walls of a level that were pushed to one side.
-struct PierOfWalls {
-    double stress;
-    int direction;
-    std::size_t place;
-    const dem::Pier* pier;
-    std::vector<StudyPier> walls;
-};
-
-TableColumn<PierOfWalls> median_column(Head head, int decimals, double scale,
-                                       double StudyPier::*number)
-{
-    return {std::move(head), [=](const PierOfWalls& r) {
-                std::vector<double> values;
-                for (const StudyPier& p : r.walls) values.push_back(scale * p.*number);
-                return median_number(std::move(values), decimals);
-            }};
-}
-
-TableColumn<PierOfWalls> mode_column(std::string mode, unsigned holds)
-{
-    return {{mode + " [%]", holds}, [mode](const PierOfWalls& r) {
-                if (r.walls.empty()) return Number{};
-                const auto with =
-                    static_cast<double>(std::ranges::count(r.walls, mode, &StudyPier::mode));
-                return plain_number(100.0 * with / static_cast<double>(r.walls.size()), 0);
-            }};
-}
-
-std::vector<PierOfWalls> piers_of(const StudyWalls& study)
-{
-    const int own = study.rules.direction;
-    std::vector<Side> sides = {
-        {own, [](const StudyWall& w) -> const std::vector<StudyPier>& { return w.piers; }}};
-    if (has_turned(study.head))
-        sides.push_back({-own, [](const StudyWall& w) -> const std::vector<StudyPier>& {
-                             return w.turned_piers;
-                         }});
-    std::vector<PierOfWalls> all;
-    for (const StudyLevel& level : study.levels)
-        for (const Side& side : sides)
-            for (std::size_t p = 0; p < study.piers.size(); ++p) {
-                PierOfWalls r{level.stress, side.direction, p, &study.piers[p], {}};
-                for (const StudyWall& w : level.walls)
-                    if (!side.piers(w).empty()) r.walls.push_back(side.piers(w).at(p));
-                all.push_back(std::move(r));
-            }
-    return all;
 }
 
 } // namespace
@@ -229,43 +165,6 @@ Table pier_share_table(const StudyWalls& study)
                 add_row(t, row);
             }
         }
-    return t;
-}
-
-Table study_pier_table(const StudyWalls& study)
-{
-    using Piers = PierOfWalls;
-    const auto place = [](const char* head, double dem::Region::*side) {
-        return TableColumn<Piers>{{head, kDetail}, [side](const Piers& r) {
-                                      return plain_number(r.pier->at.*side, 2);
-                                  }};
-    };
-    Table t;
-    t.title = "Piers";
-    t.caption = "Medians over the walls. " + std::string(kPierNumbers) +
-                " Shares of the walls in which it fails so; 'carries little': never 5 % of the "
-                "wall's force, such a pier governs nothing.";
-    t.keys = 3;
-    const TableColumns<Piers> columns = {
-        {"stress [MPa]", [](const Piers& r) { return stress_cell(r.stress); }},
-        {"pushed to the", [](const Piers& r) { return std::string(way_name(r.direction)); }},
-        {"pier", [](const Piers& r) { return count(r.place + 1); }},
-        {{"storey", kDetail}, [](const Piers& r) { return count(r.pier->storey); }},
-        place("from [m]", &dem::Region::x0),
-        place("to [m]", &dem::Region::x1),
-        {{"height [m]", kDetail},
-         [](const Piers& r) { return plain_number(r.pier->at.z1 - r.pier->at.z0, 2); }},
-        {{"n", kDetail}, [](const Piers& r) { return count(r.walls.size()); }},
-        median_column("N [kN]", 1, 1e-3, &StudyPier::normal),
-        median_column("V [kN]", 1, 1e-3, &StudyPier::shear),
-        median_column("drift [%]", 2, 100.0, &StudyPier::drift),
-        median_column({"H0/D", kDetail}, 2, 1.0, &StudyPier::slenderness),
-        mode_column("rocking", 0),
-        mode_column("sliding", 0),
-        mode_column("mixed", 0),
-        mode_column("carries little", kDetail),
-        mode_column("stands still", kDetail)};
-    fill(t, columns, piers_of(study));
     return t;
 }
 

@@ -41,7 +41,4 @@ governing_piers(const StudyWalls& study, const StudyLevel& level, std::size_t st
 /// How often each pier governs, with the interval of the share. No rows without piers.
 [[nodiscard]] Table pier_share_table(const StudyWalls& study);
 
-/// Forces, drift and modes of each pier over the walls of a stress. No rows without piers.
-[[nodiscard]] Table study_pier_table(const StudyWalls& study);
-
 } // namespace app

@@ -71,6 +71,7 @@ StoreHead head_of(const Study& study, const dem::Layout& layout, const SamplePla
     head.counts = count_columns();
     head.cost = cost_columns();
     head.piers = stored_piers_of(study);
+    head.spandrels = stored_spandrels_of(study);
     head.single_precision_curves = study.output.single_precision_curves;
     return head;
 }

@@ -87,6 +87,7 @@ RunProgress run_walls(const PreparedStudy& ready, const SamplePlan& plan,
         ++so_far.done;
         WallRow row = row_of(walls[i], drawn, wall);
         row.piers = pier_row(wall, store.head().piers);
+        row.spandrels = spandrel_row(wall, store.head().spandrels);
         rows.add(std::move(row));
         if (frames && !failed)
             frames(walls[i], wall.reading.mode, frames_of(std::move(wall.result)));

@@ -97,6 +97,8 @@ StudyWall read_wall(const StudyWalls& all, const ReadingRules& rules, const Colu
     for (const PierReading& p : piers)
         w.piers.push_back({mode_text(p), p.drift, p.facts.slenderness, p.facts.normal_at_peak,
                            p.facts.shear_at_peak});
+    w.spandrels =
+        read_spandrels(all.spandrels, spandrel_facts_of(row.spandrels, all.head.spandrels));
     if (keep == Keep::readings) return w;
     if (w.reading.no_reading.empty()) {
         const fragility::Backbone b =
@@ -174,6 +176,7 @@ StudyWalls study_of(const std::filesystem::path& file, const StoreHead& head,
     walls.study = stored_study(file, head, overrides);
     walls.rules = reading_rules(walls.study);
     walls.piers = piers_of(head.piers);
+    walls.spandrels = spandrels_of(head.spandrels);
     if (!walls.piers.empty()) walls.pier_rules = pier_rules(walls.study);
     walls.rules.by_piers = !walls.piers.empty();
     walls.states = state_names(walls.rules);

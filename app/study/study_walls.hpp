@@ -49,6 +49,7 @@ struct StudyWall {
     /// To the direction of the study, and to the other where walls are pushed both ways; empty:
     /// not told apart.
     std::vector<StudyPier> piers, turned_piers;
+    std::vector<SpandrelReading> spandrels, turned_spandrels; ///< the same
     dem::Mechanism mechanism;
     double solver_error =
         kUnknownError; ///< of the peak force [-], >= 0; NaN: failed, or a file without it
@@ -101,9 +102,10 @@ struct StudyWalls {
     StoreHead head;
     std::vector<dem::Pier> piers; ///< of every wall; empty: not told apart, or not stored
     PierRules pier_rules;         ///< where they are
-    double height = 1.0;          ///< of the load line [m]
-    double step = 0.0;            ///< of StudyWall::forces [m]
-    bool pushed_one_way = true;   ///< else walls are read on their backbones
+    std::vector<dem::Spandrel> spandrels; ///< of every wall; empty as those
+    double height = 1.0;                  ///< of the load line [m]
+    double step = 0.0;                    ///< of StudyWall::forces [m]
+    bool pushed_one_way = true;           ///< else walls are read on their backbones
     bool shared =
         false; ///< one design for all levels: walls of two levels depend on each other
 };

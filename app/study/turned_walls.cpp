@@ -24,6 +24,7 @@ StudyWall with_other_way(StudyWall wall, StudyWall other, const ReadingRules& ru
     wall.ways = {std::move(wall.reading), std::move(other.reading)};
     wall.reading = worse_way(wall.ways[0], wall.ways[1]);
     wall.turned_piers = std::move(other.piers);
+    wall.turned_spandrels = std::move(other.spandrels);
     wall.solver_error = std::max(wall.solver_error, other.solver_error);
     if (by_other) {
         wall.mechanism = other.mechanism;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace dem {
@@ -78,7 +79,7 @@ int block_at(const Layout& layout, Point at)
 }
 
 /// Displacement of a point that moves with the outline of a block as one body [m].
-double sideways(const BlockState& block, Point at)
+Point displacement(const BlockState& block, Point at)
 {
     const auto n = static_cast<double>(block.outline.size());
     Point middle, moved;
@@ -96,7 +97,7 @@ double sideways(const BlockState& block, Point at)
     }
     const double size = std::hypot(turn, along), s = turn / size, c = along / size;
     const Point arm{at.x - middle.x, at.z - middle.z};
-    return moved.x + (c - 1.0) * arm.x + s * arm.z;
+    return {moved.x + (c - 1.0) * arm.x + s * arm.z, moved.z + (c - 1.0) * arm.z - s * arm.x};
 }
 
 /// Sum of the forces that side 1 exerts on side 0 through contacts at places that count, and
@@ -162,7 +163,7 @@ Piers piers_of(std::span<const Opening> openings, const Region& wall)
 
 PierProbe::PierProbe(const Layout& layout, Piers piers) : piers_(std::move(piers))
 {
-    constexpr int kPlaces = 9;       // across a pier
+    constexpr int kPlaces = 9;       // across an end
     constexpr double kInside = 2e-3; // [m] beyond its ends
     for (const Pier& p : piers_.piers) {
         PierParts parts;
@@ -183,19 +184,28 @@ PierProbe::PierProbe(const Layout& layout, Piers piers) : piers_(std::move(piers
     }
     for (const Block& b : layout.blocks) off_floor_.push_back(b.z0 > kTouching);
     for (const Spandrel& s : piers_.spandrels) {
-        std::vector<char> right;
-        for (const Block& b : layout.blocks) right.push_back(centre_of(b).x > s.cut);
-        right_.push_back(std::move(right));
+        SpandrelParts parts;
+        for (const Block& b : layout.blocks) parts.right.push_back(centre_of(b).x > s.cut);
+        for (int i = 0; i < kPlaces; ++i) {
+            const double z = s.at.z0 + (s.at.z1 - s.at.z0) * (i + 0.5) / kPlaces;
+            for (const auto& [x, beyond, places] :
+                 {std::tuple(s.at.x0, -kInside, &parts.first_end),
+                  std::tuple(s.at.x1, kInside, &parts.other)})
+                if (const int block = block_at(layout, {x + beyond, z}); block != kGround)
+                    places->push_back({block, {x, z}});
+        }
+        spandrels_.push_back(std::move(parts));
     }
 }
 
 /// Mean of the places, of which those on the ground stand still [m].
-double PierProbe::movement(const std::vector<Place>& places, const Snapshot& wall)
+double PierProbe::movement(const std::vector<Place>& places, const Snapshot& wall,
+                           double Point::*along)
 {
     double sum = 0.0;
     for (const Place& p : places)
         if (p.block != kGround)
-            sum += sideways(wall.blocks[static_cast<std::size_t>(p.block)], p.at);
+            sum += displacement(wall.blocks[static_cast<std::size_t>(p.block)], p.at).*along;
     return places.empty() ? 0.0 : sum / static_cast<double>(places.size());
 }
 
@@ -207,18 +217,22 @@ PierState PierProbe::pier(std::size_t i, const Snapshot& wall) const
     const SideForce f = between_sides(wall, parts.above, middle, [&](FaceKind, Point at) {
         return at.x >= p.at.x0 - kTouching && at.x <= p.at.x1 + kTouching;
     });
-    return {{-f.z, f.x, f.moment}, movement(parts.top, wall) - movement(parts.bottom, wall)};
+    return {{-f.z, f.x, f.moment},
+            movement(parts.top, wall, &Point::x) - movement(parts.bottom, wall, &Point::x)};
 }
 
-CutForce PierProbe::spandrel(std::size_t i, const Snapshot& wall) const
+SpandrelState PierProbe::spandrel(std::size_t i, const Snapshot& wall) const
 {
     const Spandrel& s = piers_.spandrels.at(i);
     const Point middle{s.cut, 0.5 * (s.at.z0 + s.at.z1)};
-    const SideForce f = between_sides(wall, right_.at(i), middle, [&](FaceKind kind, Point at) {
+    const SpandrelParts& parts = spandrels_.at(i);
+    const SideForce f = between_sides(wall, parts.right, middle, [&](FaceKind kind, Point at) {
         return kind != FaceKind::beam_joint && at.z >= s.at.z0 - kTouching &&
                at.z <= s.at.z1 + kTouching;
     });
-    return {-f.x, -f.z, f.moment};
+    return {{-f.x, -f.z, f.moment},
+            movement(parts.first_end, wall, &Point::z) -
+                movement(parts.other, wall, &Point::z)};
 }
 
 double PierProbe::base_shear(const Snapshot& wall) const
@@ -232,7 +246,7 @@ Snapshot PierProbe::alone(std::size_t i, const Snapshot& wall) const
     const Pier& p = piers_.piers.at(i);
     Snapshot s;
     s.displacement = pier(i, wall).displacement;
-    const double foot = movement(parts.bottom, wall);
+    const double foot = movement(parts.bottom, wall, &Point::x);
     std::vector<int> place(wall.blocks.size(), kGround);
     for (std::size_t b = 0; b < wall.blocks.size(); ++b) {
         if (parts.within[b] == 0) continue;

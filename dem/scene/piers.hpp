@@ -52,6 +52,11 @@ struct PierState {
     double displacement = 0.0;
 };
 
+struct SpandrelState {
+    CutForce force;
+    double drop = 0.0; ///< of its right end against its left end, downwards [m]
+};
+
 /// Forces and movements of the piers and spandrels of one layout.
 class PierProbe {
   public:
@@ -59,7 +64,7 @@ class PierProbe {
 
     [[nodiscard]] const Piers& piers() const { return piers_; }
     [[nodiscard]] PierState pier(std::size_t i, const Snapshot& wall) const;
-    [[nodiscard]] CutForce spandrel(std::size_t i, const Snapshot& wall) const;
+    [[nodiscard]] SpandrelState spandrel(std::size_t i, const Snapshot& wall) const;
 
     /// Shear between the blocks on the floor and all others [N].
     [[nodiscard]] double base_shear(const Snapshot& wall) const;
@@ -83,12 +88,17 @@ class PierProbe {
         std::vector<char> within; ///< by block: of the pier
         std::vector<Place> bottom, top;
     };
-    static double movement(const std::vector<Place>& places, const Snapshot& wall);
+    struct SpandrelParts {
+        std::vector<char> right;             ///< by block: at the right of the cut
+        std::vector<Place> first_end, other; ///< at its left and at its right
+    };
+    static double movement(const std::vector<Place>& places, const Snapshot& wall,
+                           double Point::*along);
 
     Piers piers_;
     std::vector<PierParts> parts_;
-    std::vector<char> off_floor_;          ///< by block
-    std::vector<std::vector<char>> right_; ///< by spandrel and block: at the right of the cut
+    std::vector<SpandrelParts> spandrels_;
+    std::vector<char> off_floor_; ///< by block
 };
 
 } // namespace dem

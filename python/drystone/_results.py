@@ -65,6 +65,9 @@ class Results:
         self.piers: dict[str, numpy.ndarray] = file["piers"]
         """Of walls with openings: from, to, bottom, top [m] and storey of each pier; normal_before, shear_at_peak [N], end_movement [m], ...,
         by wall and pier. Empty of walls without piers. docs/store.md says what they are."""
+        self.spandrels: dict[str, numpy.ndarray] = file["spandrels"]
+        """The same of the masonry above each opening: from, to, bottom, top [m]; normal_at_peak, shear_at_peak, largest_shear [N], end_drop [m].
+        Empty of walls without piers, and of files of before 0.4.0."""
         self.units: dict[str, str] = {}
         self.meanings: dict[str, str] = {}
         for group in ("inputs", "responses", "counts"):

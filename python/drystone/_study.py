@@ -141,7 +141,8 @@ class Push:
 
     @property
     def spandrels(self) -> dict[str, numpy.ndarray]:
-        """The same of the masonry above each opening: place [m], normal_at_peak, shear_at_peak, largest_shear [N]."""
+        """The same of the masonry above each opening: place [m], normal_at_peak, shear_at_peak, largest_shear [N], drift over its
+        own length [-]."""
         return self._wall.spandrels()
 
     @property

@@ -60,10 +60,13 @@ py::dict spandrels_of_wall(const WallOfStudy& w)
     const std::vector<app::SpandrelReading>& spandrels = w.wall.spandrels;
     py::dict columns;
     add_place(columns, spandrels, [](Spandrel s) { return s.spandrel.at; });
-    add_column(columns, "normal_at_peak", spandrels,
-               [](Spandrel s) { return s.normal_at_peak; });
-    add_column(columns, "shear_at_peak", spandrels, [](Spandrel s) { return s.shear_at_peak; });
-    add_column(columns, "largest_shear", spandrels, [](Spandrel s) { return s.most_shear; });
+    const auto add = [&](const char* name, auto read) {
+        add_column(columns, name, spandrels, read);
+    };
+    add("normal_at_peak", [](Spandrel s) { return s.facts.normal_at_peak; });
+    add("shear_at_peak", [](Spandrel s) { return s.facts.shear_at_peak; });
+    add("largest_shear", [](Spandrel s) { return s.facts.most_shear; });
+    add("drift", [](Spandrel s) { return s.drift; });
     return columns;
 }
 

@@ -15,7 +15,7 @@ namespace bindings {
 [[nodiscard]] pybind11::dict piers_of_wall(const WallOfStudy& w);
 [[nodiscard]] pybind11::dict spandrels_of_wall(const WallOfStudy& w);
 
-/// The piers of a file of results, gathered row by row.
+/// The piers or spandrels of a file of results, gathered row by row.
 class StoredPiers {
   public:
     explicit StoredPiers(const app::StorePiers& piers)
@@ -23,7 +23,7 @@ class StoredPiers {
     {
     }
     void add(const app::PierRow& row);
-    /// Places of the piers, and each fact by wall and pier.
+    /// Their places, and each fact by wall and pier.
     [[nodiscard]] pybind11::dict taken();
 
   private:

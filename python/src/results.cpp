@@ -87,7 +87,7 @@ py::dict read_walls(const std::string& path)
     std::vector<std::vector<double>> inputs(head.inputs.size()),
         responses(head.responses.size()), cost(head.cost.size());
     std::vector<std::vector<std::int64_t>> counts(head.counts.size());
-    StoredPiers piers(head.piers);
+    StoredPiers piers(head.piers), spandrels(head.spandrels);
     const std::set<app::WallKey> half = half_pushed(reader);
     reader.for_each_row([&](const app::WallRow& row) {
         if (half.contains(row.key)) return;
@@ -100,6 +100,7 @@ py::dict read_walls(const std::string& path)
         append(row.counts, counts);
         append(row.cost, cost);
         piers.add(row.piers);
+        spandrels.add(row.spandrels);
     });
     std::vector<double> stress;
     for (std::uint32_t l = 0; l < app::own_levels(head); ++l)
@@ -121,6 +122,8 @@ py::dict read_walls(const std::string& path)
     file["responses"] = columns_with(head.responses, std::move(responses));
     file["counts"] = columns_with(head.counts, std::move(counts));
     file["piers"] = piers.taken();
+    file["spandrels"] = spandrels.taken();
+    if (!head.spandrels.places.empty()) file["spandrels"].attr("pop")("storey");
     file["cost"] = columns_with(head.cost, std::move(cost));
     return file;
 }

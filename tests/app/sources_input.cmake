@@ -5,6 +5,7 @@ set(TEST_APP_INPUT_SOURCES
     app/test_bad_input.cpp
     app/test_bad_study.cpp
     app/test_choices.cpp
+    app/test_chart_labels.cpp
     app/test_code_file.cpp
     app/test_command_line.cpp
     app/test_compare.cpp

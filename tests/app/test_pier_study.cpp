@@ -3,6 +3,7 @@
 #include "app/fragility/fragility_data.hpp"
 #include "app/fragility/model_doubt.hpp"
 #include "app/study/both_ways.hpp"
+#include "app/study/part_tables.hpp"
 #include "app/study/pier_columns.hpp"
 #include "app/study/pier_shares.hpp"
 #include "app/study/push_walls.hpp"
@@ -28,9 +29,9 @@ namespace fs = std::filesystem;
 
 /// Four walls with a short pier between a door and a window, and longer ones beside them.
 app::Study with_piers(const std::vector<std::string>& more = {},
-                      const std::string& states = "paper, ntc")
+                      const std::string& states = "paper, ntc", int samples = 4)
 {
-    std::vector<std::string> set = {"uq.samples=4",
+    std::vector<std::string> set = {"uq.samples=" + std::to_string(samples),
                                     "wall.length=1.2 m",
                                     "wall.courses=6",
                                     "solver.fidelity=rigid",
@@ -103,6 +104,7 @@ TEST_CASE("piers in studies: a wall of a file has the limits of its own push, to
     const app::StudyWalls walls = app::read_study_walls(folder.path / "a.h5");
     const std::vector<app::PushedWall> own = pushed(study);
     REQUIRE(walls.piers.size() == 3);
+    REQUIRE(walls.spandrels.size() == 2);
     REQUIRE(walls.levels.front().walls.size() == 4);
     const std::size_t slc = state_of(walls, "ntc SLC"), slv = state_of(walls, "ntc SLV");
     for (std::size_t i = 0; i < 4; ++i) {
@@ -117,6 +119,17 @@ TEST_CASE("piers in studies: a wall of a file has the limits of its own push, to
         for (std::size_t p = 0; p < 3; ++p) {
             CHECK(w.piers[p].drift == own[i].piers[p].drift);
             CHECK(w.piers[p].mode == mode_text(own[i].piers[p]));
+        }
+        REQUIRE(w.spandrels.size() == own[i].spandrels.size());
+        for (std::size_t s = 0; s < w.spandrels.size(); ++s) {
+            const app::SpandrelReading &a = w.spandrels[s], &b = own[i].spandrels[s];
+            CHECK(a.spandrel.at == b.spandrel.at);
+            CHECK(a.drift == b.drift);
+            CHECK(a.drift != 0.0);
+            CHECK(a.facts.normal_at_peak == b.facts.normal_at_peak);
+            CHECK(a.facts.shear_at_peak == b.facts.shear_at_peak);
+            CHECK(a.facts.most_shear == b.facts.most_shear);
+            CHECK(a.facts.most_shear >= std::abs(a.facts.shear_at_peak));
         }
     }
 }
@@ -157,6 +170,8 @@ TEST_CASE("piers in studies: of both directions, the pier of the one that govern
         CHECK(app::same_limit(w.limits[slc], by_left ? l.limits[slc] : r.limits[slc]));
         CHECK(w.governing[slc] == (by_left ? l : r).governing[slc]);
         CHECK(wall(both, i).turned_piers.at(2).drift == wall(left, i).piers.at(2).drift);
+        CHECK(wall(both, i).turned_spandrels.at(1).drift ==
+              wall(left, i).spandrels.at(1).drift);
     }
     std::size_t n = 0, to_left = 0;
     for (const app::GoverningPier& g : app::governing_piers(both, both.levels.front(), slc)) {
@@ -167,6 +182,8 @@ TEST_CASE("piers in studies: of both directions, the pier of the one that govern
     CHECK(to_left == turned);
     CHECK(app::study_pier_table(both).rows.size() == 6);
     CHECK(app::study_pier_table(right).rows.size() == 3);
+    CHECK(app::study_spandrel_table(both).rows.size() == 4);
+    CHECK(app::study_spandrel_table(right).rows.size() == 2);
 }
 
 TEST_CASE("piers in studies: shares of the piers that govern add up, and the sentence has them",
@@ -219,10 +236,10 @@ TEST_CASE("piers in studies: a file that holds none is read as one wall, which i
     run(with_piers(), file);
     app::StoreReader reader(file);
     app::StoreHead head = reader.head(); // as a version before wrote it
-    head.piers = {};
+    head.piers = head.spandrels = {};
     app::Store store(old, head);
     reader.for_each_row([&](app::WallRow row) {
-        row.piers = {};
+        row.piers = row.spandrels = {};
         store.append({&row, 1});
     });
     const app::StudyWalls walls = app::read_study_walls(old);
@@ -231,6 +248,32 @@ TEST_CASE("piers in studies: a file that holds none is read as one wall, which i
     CHECK(app::pier_sentence(walls).find("stand for all of them") != std::string::npos);
     CHECK(app::pier_share_table(walls).rows.empty());
     CHECK(app::drift_data(walls).drift.find("stand for all of them") != std::string::npos);
+}
+
+TEST_CASE(
+    "piers in studies: a file without spandrels, of a version before, is read and goes on",
+    "[app][pier_study]")
+{
+    const scenes::TemporaryFolder folder;
+    const fs::path file = folder.path / "a.h5", old = folder.path / "old.h5";
+    run(with_piers({}, "paper, ntc", 2), file);
+    app::StoreReader reader(file);
+    app::StoreHead head = reader.head();
+    CHECK(head.spandrels == app::stored_spandrels_of(with_piers()));
+    head.spandrels = {};
+    {
+        app::Store store(old, head);
+        reader.for_each_row([&](app::WallRow row) {
+            row.spandrels = {};
+            store.append({&row, 1});
+        });
+    }
+    CHECK(app::study_spandrel_table(app::read_study_walls(old)).rows.empty());
+    run(with_piers(), old); // two more walls
+    const app::StudyWalls walls = app::read_study_walls(old);
+    REQUIRE(walls.levels.front().walls.size() == 4);
+    CHECK(walls.piers.size() == 3);
+    CHECK(walls.spandrels.empty());
 }
 
 TEST_CASE("piers in studies: what is stored of piers comes back to the bit, from the parts and "
@@ -266,6 +309,11 @@ TEST_CASE("piers in studies: what is stored of piers comes back to the bit, from
     check();
     store.compact();
     check();
+    CHECK(rows.front().spandrels.facts.size() == 2 * head.spandrels.facts.size());
+    app::WallRow short_one = rows.front();
+    short_one.spandrels.facts.pop_back();
+    CHECK_THROWS_WITH(app::check_row(head, short_one),
+                      Catch::Matchers::Contains("facts of spandrels"));
     rows.front().piers.shear.pop_back();
     rows.front().key.sample = 3;
     CHECK_THROWS_WITH(app::check_row(head, rows.front()),

@@ -5,6 +5,7 @@
 
 #include "dem/block/model.hpp"
 #include "dem/scene/mechanism.hpp"
+#include "dem/scene/touching.hpp"
 #include "dem/solver/push.hpp"
 #include "scenes/paper_wall.hpp"
 
@@ -130,7 +131,7 @@ TEST_CASE("piers: what a spandrel hands on is what its pier carries more or less
     const dem::Piers piers = dem::piers_of(s.wall.openings, {0.0, 0.0, 2.0, 1.6});
     const dem::PierProbe probe(m.layout, piers);
     const double normal = probe.pier(0, r.at_end).force.normal,
-                 over = probe.spandrel(0, r.at_end).shear;
+                 over = probe.spandrel(0, r.at_end).force.shear;
     const double cut = piers.spandrels.front().cut;
     double weight = 0.0;
     for (int b = 0; b < m.layout.beam; ++b)
@@ -145,6 +146,31 @@ TEST_CASE("piers: what a spandrel hands on is what its pier carries more or less
             for (const dem::ContactState& c : f.contacts) beam -= c.sigma * c.area;
     CHECK(normal == Approx(weight + beam + over).margin(0.005 * std::abs(normal)));
     CHECK(std::abs(over) < beam);
+}
+
+TEST_CASE("piers: the right end of a spandrel drops by its length times the sine of a turn",
+          "[dem][piers]")
+{
+    const scenes::Scene s = facade();
+    const dem::Model m = scenes::model_of(s, cheap());
+    const dem::PierProbe probe(m.layout, dem::piers_of(s.wall.openings, {0.0, 0.0, 2.0, 1.6}));
+    constexpr double kTurn = 0.1; // clockwise
+    dem::Snapshot turned;
+    for (const dem::Block& b : m.layout.blocks) {
+        dem::BlockState state;
+        for (const dem::Point p : dem::corners_of(b)) {
+            state.outline.push_back(p);
+            state.displacement.push_back({std::cos(kTurn) * p.x + std::sin(kTurn) * p.z - p.x,
+                                          std::cos(kTurn) * p.z - std::sin(kTurn) * p.x - p.z});
+        }
+        turned.blocks.push_back(std::move(state));
+    }
+    REQUIRE(probe.piers().spandrels.size() == 2);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const dem::Region at = probe.piers().spandrels[i].at;
+        CHECK(probe.spandrel(i, turned).drop ==
+              Approx(std::sin(kTurn) * (at.x1 - at.x0)).epsilon(1e-10));
+    }
 }
 
 TEST_CASE("piers: a pier alone moves by what its upper end moves against its lower end",

@@ -70,7 +70,7 @@ class PythonHasWhatTheFilesHave(InFolder):
         wall = drystone.push(facade, set=settings)
         for part, columns, names in (
                 (wall.piers, table(out / "piers.csv"), {"normal_before": "N before [kN]", "shear_at_peak": "V [kN]", "drift": "drift [%]"}),
-                (wall.spandrels, table(out / "spandrels.csv"), {"largest_shear": "largest V [kN]"})):
+                (wall.spandrels, table(out / "spandrels.csv"), {"largest_shear": "largest V [kN]", "drift": "drift [%]"})):
             self.assertGreater(len(columns), 1)
             for name, column in {"from": "from [m]", **names}.items():
                 unit = {"[kN]": 1e-3, "[%]": 100, "[m]": 1}[column.split()[-1]]
@@ -82,6 +82,13 @@ class PythonHasWhatTheFilesHave(InFolder):
 
         file = self.folder / "facade.h5"
         self.assertEqual(run("study", facade, "--out", file, "--quiet", *sets({**settings, "uq.samples": 1})).returncode, 0)
+        spandrels = drystone.open(file).spandrels
+        self.assertNotIn("storey", spandrels)
+        for name in ("from", "top"):
+            self.same(spandrels[name], wall.spandrels[name])
+        for name in ("normal_at_peak", "shear_at_peak", "largest_shear"):
+            self.same(spandrels[name][0], wall.spandrels[name])
+        self.same(spandrels["end_drop"][0] / (spandrels["to"] - spandrels["from"]), wall.spandrels["drift"])
         stored = drystone.open(file).piers
         self.same(stored["from"], wall.piers["from"])
         self.assertEqual(stored["shear_at_peak"].shape, (1, len(wall.piers["from"])))

@@ -122,6 +122,8 @@ claims['the answer stands first, with a picture on the first screen, on a desk a
             const top = (selector) => page.evaluate(`document.querySelector('${selector}').getBoundingClientRect().top`);
             const [answer, picture] = [await top('#overview table'), await top('svg.wall')];
             assert.ok(answer < picture && picture < 0.75 * screen.height, `answer at ${answer}, picture at ${picture} of ${screen.height} px`);
+            const parts = await page.evaluate(`['svg.wall', '.curves .u-over'].map((s) => { const b = document.querySelector(s).getBoundingClientRect(); return (${screen.height} - b.top) / b.height; })`);
+            assert.ok(parts.every((share) => share > 0.5), `shares of wall and curves on the screen: ${parts}`);
             const heads = await page.evaluate(`[...document.querySelectorAll('#overview th, #overview td:first-child')].map((h) => h.textContent)`);
             for (const head of ['how it fails', 'ntc SLC drift [%]', 'paper ultimate drift [%]', 'how sure']) assert.ok(heads.includes(head), `${heads}`);
         });
@@ -136,9 +138,24 @@ claims['a phone shows all of the answer for one stress without scrolling to the 
         assert.ok((await page.evaluate(`document.querySelector('svg.wall').getBoundingClientRect().top`)) < 0.75 * 844);
     }, `${folder}/one_stress.html`);
 
+claims['a phone shows one of many stresses, whose table, wall and curves change together'] = () =>
+    withPage({ width: 390, height: 844, mobile: true }, async (page) => {
+        const far = await page.evaluate(`Math.max(...[...document.querySelectorAll('#overview td')].map((c) => c.getBoundingClientRect().right))`);
+        assert.ok(far <= 390, `a cell ends at ${far} px`);
+        const peak = `[...document.querySelectorAll('#overview tbody tr')].find((r) => r.firstChild.textContent === 'peak [kN]').lastChild.textContent`;
+        const before = await page.evaluate(peak);
+        await page.evaluate(`${button('#overview', '1 MPa')}.click()`);
+        assert.notEqual(await page.evaluate(peak), before);
+        await page.until(`${caption}.startsWith('1.00 MPa, sample 0:')`);
+        assert.equal(await page.evaluate(`${button('#curves .curves', '1.00 MPa')}.getAttribute('aria-pressed')`), 'true');
+        for (const part of ['svg.wall', '.curves .u-over']) assert.ok((await page.evaluate(`document.querySelector('${part}').getBoundingClientRect().bottom`)) <= 844, part);
+    }, `${folder}/three_stresses.html`);
+
 claims['walls with openings have a section on piers, and it is said which push a curve is of'] = () =>
     withPage({}, async (page) => {
         const rows = await page.evaluate(`[...document.querySelectorAll('#table-pier_limits tbody tr, #table-piers tbody tr')].map((r) => r.textContent)`);
+        const spandrels = await page.evaluate(`[...document.querySelectorAll('#table-spandrels tbody tr')].map((r) => r.textContent)`);
+        assert.equal(spandrels.length, 2 * 2, spandrels.join('; ')); // of each stress and direction
         assert.ok(rows.length >= 4 + 2 && rows.some((r) => r.includes('ntc SLC') && /pier [12]|fall of the force|not reached/.test(r)), rows.join('; '));
         assert.match(await page.evaluate(`document.getElementById('curves').textContent`), /single walls: pushed to the right; means and tables: the direction in which a wall carries less/);
     }, `${folder}/piers.html`);

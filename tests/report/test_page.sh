@@ -28,6 +28,7 @@ if [[ $1 == pages ]]; then
     page small --set uq.samples=12
     "$drystone" report "$folder/small.h5" --out "$folder/few.html" --walls 3 --quiet
     page one_stress --set uq.samples=6 --set load.vertical_stress="0.5 MPa" --set joint.wall_modulus="768 MPa"
+    page three_stresses --set uq.samples=2 --set load.vertical_stress="0.5, 0.75, 1 MPa" --set joint.wall_modulus="768, 900, 1057 MPa"
     page nothing_random --set uq.samples=1 --set joint.friction_angle="31.8 deg" \
         --set joint.stiffness_factor=1 --set unit.tensile_strength="3.7 MPa"
     page spatial --set uq.samples=4 --set uq.spatial=independent

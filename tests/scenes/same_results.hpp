@@ -24,7 +24,8 @@ template <class T>
            same_bits(a.curve.displacement, b.curve.displacement) &&
            same_bits(a.curve.force, b.curve.force) && same_bits(a.piers.facts, b.piers.facts) &&
            same_bits(a.piers.movement, b.piers.movement) &&
-           same_bits(a.piers.shear, b.piers.shear);
+           same_bits(a.piers.shear, b.piers.shear) &&
+           same_bits(a.spandrels.facts, b.spandrels.facts);
 }
 
 } // namespace scenes
