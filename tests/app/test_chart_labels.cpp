@@ -1,5 +1,6 @@
 /// Labels in pictures of curves: none covers another, a curve, a mark or the frame.
 
+#include "app/input/limit_state_text.hpp"
 #include "app/input/study_file.hpp"
 #include "app/input/study_reading.hpp"
 #include "app/input/wall_geometry.hpp"
