@@ -1,4 +1,4 @@
-// What if: sliders of the inputs, and what the surrogates of the study say of such a wall.
+// The section "What if" has a slider for each input, and says what the surrogates of the study predict for such a wall.
 import { element, choice, fixed, figures, percent, words, colours } from './format.js';
 import { modeProbabilities, outside, predicted } from './surrogate.js';
 

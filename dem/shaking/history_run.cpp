@@ -25,8 +25,8 @@ constexpr double kContactShare =
 constexpr double kDampedFraction = 0.7, kDampedBound = 3.96;
 constexpr double kFractionStep = 0.99; // between shares of the step that are tried
 constexpr int kMostReductions = 6;
-// Joints that close: stiffness that the step allows for, over that at rest. A free choice: the
-// ledger of walls whose joints become much stiffer asks for a smaller step.
+// The step of a wall whose joints close allows for this many times their stiffness at rest. It
+// is a free choice: where joints become much stiffer, the ledger asks for a smaller step.
 constexpr double kStiffer = 4.0;
 constexpr double kStill = 1e-8; // kinetic energy over the largest so far
 constexpr long long kLookEvery = 50;

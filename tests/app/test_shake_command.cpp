@@ -5,6 +5,7 @@
 #include "app/text/config_error.hpp"
 #include "app/text/json_text.hpp"
 #include "scenes/terminal.hpp"
+#include "study_texts.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -24,29 +25,18 @@ namespace {
 namespace fs = std::filesystem;
 using Catch::Matchers::Contains;
 
-constexpr const char* kWall = R"([wall]
-length = 0.40 m
-courses = 2
-course_height = 0.20 m
-unit_length = 0.40 m
-thickness = 0.20 m
-bond = stack
-toe = free
-unit_cracks = no
-[stone]
-young_modulus = 15.5 GPa
-poisson_ratio = 0.2
-density = 2300 kg/m3
-[joint]
-normal_stiffness = 8 GPa/m
-friction_angle = 31.8 deg
-[beam]
-height = 0.10 m
-young_modulus = 30 GPa
-density = 2400 kg/m3
-[solver]
-fidelity = rigid
-)";
+/// The wall that is shaken in no time, with a number in place of its distribution.
+std::string one_wall()
+{
+    std::string text = study_texts::kShakenWall;
+    const std::string drawn =
+        "normal_stiffness = 1 GPa/m\nfriction_angle = normal(mean 25 deg, cov 0.2)\n";
+    return text.replace(text.find(drawn), drawn.size(),
+                        "normal_stiffness = 8 GPa/m\nfriction_angle = 31.8 deg\n") +
+           "[solver]\nfidelity = rigid\n";
+}
+
+const std::string kWall = one_wall();
 
 class ShakeFolder {
   public:
@@ -117,10 +107,9 @@ TEST_CASE("shake command: a pulse gives a history whose largest drift the summar
 TEST_CASE("shake command: intensities scale each record by the measure", "[app][shake]")
 {
     const app::Study study =
-        app::prepare(
-            app::read_study(app::parse_study_text(
-                "study.ini", std::string(kWall) +
-                                 "[load]\nvertical_stress = 0 MPa\n[shaking]\n"
+        app::prepare(app::read_study(app::parse_study_text(
+                         "study.ini",
+                         kWall + "[load]\nvertical_stress = 0 MPa\n[shaking]\n"
                                  "records = half_sine(peak 0.5 g, duration 0.3 s), "
                                  "sine(peak 1 g, period 0.3 s)\nintensities = 0.1, 0.2 g\n")))
             .study;
