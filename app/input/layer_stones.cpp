@@ -1,6 +1,7 @@
 #include "app/input/layer_stones.hpp"
 
-#include "app/input/study_key_table.hpp"
+#include "app/input/key_range.hpp"
+#include "app/input/study.hpp"
 #include "app/input/units.hpp"
 #include "app/text/number_text.hpp"
 #include "app/text/words.hpp"

@@ -46,16 +46,6 @@ inline constexpr std::array kFidelities = {
     named("standard", dem::Fidelity::standard), named("zones", dem::Fidelity::zones),
     named("fine", dem::Fidelity::fine)};
 
-// The ends of the ranges are beyond any wall: they catch a wrong power of ten.
-inline constexpr Range kHeight{'[', 0.001, 10, ']'};   // [m]
-inline constexpr Range kModulus{'(', 0, 1000, ']'};    // [GPa]
-inline constexpr Range kPoisson{'[', 0, 0.5, ')'};     // [-]
-inline constexpr Range kDensity{'[', 0, 20000, ']'};   // [kg/m3]
-inline constexpr Range kAngle{'[', 0, 90, ')'};        // [deg]
-inline constexpr Range kStrength{'[', 0, 1000, ']'};   // [MPa]
-inline constexpr Range kFactor{'(', 0, 1000, ']'};     // [-]
-inline constexpr Range kShearEnergy{'(', 0, 1e6, ']'}; // [N/m]
-
 [[nodiscard]] std::span<const Key> wall_keys();        ///< wall, stone, lintel
 [[nodiscard]] std::span<const Key> joint_keys();       ///< joint
 [[nodiscard]] std::span<const Key> unit_keys();        ///< unit

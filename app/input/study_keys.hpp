@@ -2,6 +2,7 @@
 /// The table of all keys of a study. It drives reading, range checks, defaults, help and the
 /// effective configuration.
 
+#include "app/input/key_range.hpp"
 #include "app/input/study_field.hpp"
 #include "app/input/verb_set.hpp"
 
@@ -26,14 +27,6 @@ struct Condition {
     bool (*holds)(const Study&) = nullptr; ///< nullptr: always
     std::string_view otherwise = "";       ///< why it plays none: "wall.unit_cracks is no"
     bool refused = false; ///< a value given although the condition does not hold is an error
-};
-
-/// Closed '[' ']' or open '(' ')' at either end, in the unit of the key.
-struct Range {
-    char left = '(';
-    double low = 0.0;
-    double high = 0.0;
-    char right = ')';
 };
 
 /// A word that stands for a value.
