@@ -34,7 +34,7 @@ namespace app {
 /// capacity_interrupted.csv and leaves all other files as they were; where only the push the
 /// other way was left, it writes everything.
 /// @return 1 if a wall's numbers broke
-/// @throws Interrupted (app/study/interrupt.hpp)
+/// @throws Interrupted (app/study/pushed/interrupt.hpp)
 [[nodiscard]] int push_command(const Command& command);
 
 /// `drystone calibrate`: the error of the model from a table of tests, over the medians of the
@@ -42,7 +42,7 @@ namespace app {
 /// folder, or resumed there; a file of results is read. Writes model_factor.ini, the lines to
 /// put into the study, and calibration.csv, .md and .tex.
 /// @return 1 where there are too few tests for a factor of either kind
-/// @throws Interrupted (app/study/interrupt.hpp)
+/// @throws Interrupted (app/study/pushed/interrupt.hpp)
 [[nodiscard]] int calibrate_command(const Command& command);
 
 /// `drystone sample`: the samples of a study as a table, without running a wall.

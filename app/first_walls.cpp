@@ -1,7 +1,7 @@
 /// The walls of the program that is built first: it knows study files, but neither designs nor
 /// files of results.
 #include "app/input/study_reading.hpp"
-#include "app/study/wanted_walls.hpp"
+#include "app/study/stored/wanted_walls.hpp"
 
 #include <utility>
 

@@ -2,8 +2,8 @@
 /// end.
 
 #include "app/input/command_line.hpp"
-#include "app/store/store_error.hpp"
-#include "app/study/interrupt.hpp"
+#include "app/store/hdf5/store_error.hpp"
+#include "app/study/pushed/interrupt.hpp"
 #include "app/text/config_error.hpp"
 #include "app/verbs.hpp"
 

@@ -9,7 +9,7 @@
 #include "app/report/report_command.hpp"
 #include "app/shake/shake_study.hpp"
 #include "app/sheet/sheet_command.hpp"
-#include "app/study/interrupt.hpp"
+#include "app/study/pushed/interrupt.hpp"
 #include "app/study/study_command.hpp"
 #include "app/wall_verbs.hpp"
 

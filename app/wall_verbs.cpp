@@ -1,10 +1,10 @@
 #include "app/wall_verbs.hpp"
 
-#include "app/input/code_file.hpp"
 #include "app/input/command_line.hpp"
 #include "app/input/keys_page.hpp"
-#include "app/input/material_presets.hpp"
-#include "app/output/markup.hpp"
+#include "app/input/study/code_file.hpp"
+#include "app/input/study/material_presets.hpp"
+#include "app/output/picture/markup.hpp"
 #include "app/program_version.hpp"
 #include "app/reading/wall_numbers.hpp"
 #include "app/verbs.hpp"

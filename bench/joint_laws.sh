@@ -4,7 +4,7 @@
 # About an hour and a half on two cores. WORK (default runs/joint_laws) keeps the files of the studies, so that a second run only
 # does what is missing.
 # DRYSTONE_SAMPLES: walls under each stress (default 50), DRYSTONE_CHECKED_SAMPLES: walls under each stress that are run again more
-# slowly and on a finer wall (default 10). DRYSTONE_TEST_CURVES: the folder of the measured curves (bench/measured_walls.hpp), if
+# slowly and on a finer wall (default 10). DRYSTONE_TEST_CURVES: the folder of the measured curves (bench/tested/measured_walls.hpp), if
 # given; else the page has the tests' numbers that bench/joint_laws/tested_walls.cpp keeps.
 set -euo pipefail
 cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.."

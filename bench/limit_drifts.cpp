@@ -1,7 +1,7 @@
 #include "bench/limit_drifts.hpp"
 
 #include "app/text/number_text.hpp"
-#include "fragility/kaplan_meier.hpp"
+#include "fragility/fits/kaplan_meier.hpp"
 
 #include <array>
 #include <optional>

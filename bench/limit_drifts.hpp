@@ -3,8 +3,8 @@
 /// and Meier with 95 % intervals, in which walls that stood longer than their push count as
 /// that.
 
-#include "app/output/table.hpp"
-#include "app/study/study_walls.hpp"
+#include "app/output/table/table.hpp"
+#include "app/study/stored/study_walls.hpp"
 
 #include <cstddef>
 #include <string>

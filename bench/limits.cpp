@@ -2,8 +2,8 @@
 /// bench/limits.sh.
 
 #include "app/output/atomic_output.hpp"
-#include "app/output/table.hpp"
-#include "app/study/study_walls.hpp"
+#include "app/output/table/table.hpp"
+#include "app/study/stored/study_walls.hpp"
 #include "bench/limit_drifts.hpp"
 #include "bench/machine.hpp"
 

@@ -10,7 +10,7 @@ namespace bench {
 [[nodiscard]] std::string machine_line();
 
 /// The command that this process was started with, to be shown under "Written by":
-/// "build/release/bench/kernel docs/bench/kernel.md". Folders above build/ are left out.
+/// "build/release/bench/kernel docs/bench/speed/kernel.md". Folders above build/ are left out.
 [[nodiscard]] std::string command_line();
 
 /// Caches of the first core, as the system names them: "L1d 48K, L2 2048K, L3 266240K". Empty

@@ -2,7 +2,7 @@
 /// Measurements as committed: a Markdown file that says where its numbers come from, each of
 /// its tables as CSV next to it.
 
-#include "app/output/table.hpp"
+#include "app/output/table/table.hpp"
 
 #include <filesystem>
 #include <string>

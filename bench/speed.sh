@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # bash bench/speed.sh [OUT.md]   times of whole commands on this machine, today: shortest of DRYSTONE_RUNS runs (default 3)
 #
-# OUT.md: default docs/bench/speed.md. The machine should be idle; the load at the beginning is written down.
+# OUT.md: default docs/bench/speed/speed.md. The machine should be idle; the load at the beginning is written down.
 # DRYSTONE_PROGRAM: the program (default: what ./drystone builds).
 set -euo pipefail
 cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.."
-out=$(realpath -m -- "${1:-docs/bench/speed.md}")
+out=$(realpath -m -- "${1:-docs/bench/speed/speed.md}")
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
 drystone() { ./drystone "$@"; }

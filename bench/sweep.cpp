@@ -1,8 +1,8 @@
 #include "bench/sweep.hpp"
 
 #include "dem/block/model.hpp"
-#include "dem/scene/mechanism.hpp"
-#include "fragility/curve_reading.hpp"
+#include "dem/scene/mechanism/mechanism.hpp"
+#include "fragility/curve/curve_reading.hpp"
 
 #include <cmath>
 #include <iostream>

@@ -4,7 +4,7 @@
 # --end: those of its last section, walls pushed until no force is left, and only that section.
 # 40 min on two cores of an AMD EPYC with AVX-512. WORK (default runs/validation) keeps the files of the
 # studies, so that a second run only does what is missing. DRYSTONE_TEST_CURVES, the folder of the measured
-# curves (bench/measured_walls.hpp), if given: docs/tests is written anew too.
+# curves (bench/tested/measured_walls.hpp), if given: docs/tests is written anew too.
 set -euo pipefail
 cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.."
 end=()

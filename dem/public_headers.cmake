@@ -10,23 +10,23 @@ set(DEM_PUBLIC_HEADERS
     scene/crack_pattern.hpp
     scene/drawn_layout.hpp
     scene/layout.hpp
-    scene/mechanism.hpp
+    scene/mechanism/mechanism.hpp
     scene/paper_materials.hpp
-    scene/polygon.hpp
-    scene/quality_terms.hpp
-    scene/rigid_wall.hpp
-    scene/snapshot.hpp
-    scene/snapshot_reading.hpp
-    scene/snapshot_vtu.hpp
+    scene/geometry/polygon.hpp
+    scene/mechanism/quality_terms.hpp
+    scene/mechanism/rigid_wall.hpp
+    scene/geometry/snapshot.hpp
+    scene/mechanism/snapshot_reading.hpp
+    scene/mechanism/snapshot_vtu.hpp
     scene/wall.hpp
     shaking/load_mass.hpp
-    solver/curve_point.hpp
+    solver/state/curve_point.hpp
     solver/cyclic_protocol.hpp
-    solver/energy.hpp
-    solver/energy_parts.hpp
+    solver/state/energy.hpp
+    solver/state/energy_parts.hpp
     solver/ensemble.hpp
     solver/push.hpp
     solver/slower.hpp
-    solver/solver_options.hpp
+    solver/state/solver_options.hpp
     solver/solver_revision.hpp
     solver/stop_rules.hpp)

@@ -4,7 +4,7 @@ import { readFilm } from './data.js';
 import { wallName, wallText } from './capacity.js';
 
 const kStones = ['#e9e2d3', '#e2d9c6', '#efe9dd'];
-// The colours are those of wall.svg (app/output/wall_marks.hpp).
+// The colours are those of wall.svg (app/output/picture/wall_marks.hpp).
 const kMarks = { opening: '#6aa5d6', slip: '#e08214', cracks: '#c8102e', crushing: '#5e2a84' };
 const kThreshold = 1e-4; // openings and slips up to this are not marked [m]
 const kSeconds = 6; // of a film

@@ -7,7 +7,7 @@ import re
 import shutil
 import sys
 
-COPIED = ["docs", "configs", "examples", "packaging", "fragility/codes.json", "CHANGELOG.md", "CONTRIBUTING.md", "CITATION.cff", "LICENSE"]
+COPIED = ["docs", "configs", "examples", "packaging", "fragility/codes/codes.json", "CHANGELOG.md", "CONTRIBUTING.md", "CITATION.cff", "LICENSE"]
 
 
 def documents(root, out):

@@ -25,38 +25,38 @@ set(UQ_PUBLIC_HEADERS
     inference/calibration.hpp
     inference/chain_diagnostics.hpp
     inference/evidence.hpp
-    marginals/beta.hpp
-    marginals/constant.hpp
-    marginals/empirical.hpp
-    marginals/gamma.hpp
-    marginals/gumbel.hpp
-    marginals/lognormal.hpp
+    marginals/shapes/beta.hpp
+    marginals/shapes/constant.hpp
+    marginals/shapes/empirical.hpp
+    marginals/shapes/gamma.hpp
+    marginals/shapes/gumbel.hpp
+    marginals/shapes/lognormal.hpp
     marginals/marginal.hpp
-    marginals/normal.hpp
-    marginals/shape.hpp
-    marginals/shape_form.hpp
-    marginals/triangular.hpp
-    marginals/uniform.hpp
-    marginals/weibull.hpp
-    reliability/active_learning.hpp
-    reliability/black_box.hpp
-    reliability/control_variate.hpp
-    reliability/crude_monte_carlo.hpp
-    reliability/exceedance.hpp
-    reliability/external_program.hpp
-    reliability/form.hpp
-    reliability/form_search.hpp
-    reliability/form_search_gradient.hpp
-    reliability/importance_sampling.hpp
-    reliability/kept_evaluations.hpp
-    reliability/limit_state.hpp
-    reliability/multi_fidelity.hpp
-    reliability/multi_fidelity_plan.hpp
+    marginals/shapes/normal.hpp
+    marginals/shapes/shape.hpp
+    marginals/shapes/shape_form.hpp
+    marginals/shapes/triangular.hpp
+    marginals/shapes/uniform.hpp
+    marginals/shapes/weibull.hpp
+    reliability/active/active_learning.hpp
+    reliability/limit_state/black_box.hpp
+    reliability/simulation/control_variate.hpp
+    reliability/simulation/crude_monte_carlo.hpp
+    reliability/limit_state/exceedance.hpp
+    reliability/limit_state/external_program.hpp
+    reliability/design_point/form.hpp
+    reliability/design_point/form_search.hpp
+    reliability/design_point/form_search_gradient.hpp
+    reliability/simulation/importance_sampling.hpp
+    reliability/limit_state/kept_evaluations.hpp
+    reliability/limit_state/limit_state.hpp
+    reliability/simulation/multi_fidelity.hpp
+    reliability/simulation/multi_fidelity_plan.hpp
     reliability/reliability.hpp
     reliability/reliability_method.hpp
-    reliability/sorm.hpp
-    reliability/subset_simulation.hpp
-    reliability/to_variables.hpp
+    reliability/design_point/sorm.hpp
+    reliability/simulation/subset_simulation.hpp
+    reliability/limit_state/to_variables.hpp
     sensitivity/correlation_measures.hpp
     sensitivity/delta_index.hpp
     sensitivity/hsic.hpp

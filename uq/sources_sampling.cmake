@@ -1,21 +1,21 @@
 set(UQ_MARGINAL_SOURCES
-    marginals/beta.cpp
-    marginals/constant.cpp
-    marginals/discrete.cpp
-    marginals/empirical.cpp
-    marginals/gamma.cpp
-    marginals/gumbel.cpp
-    marginals/lognormal.cpp
+    marginals/shapes/beta.cpp
+    marginals/shapes/constant.cpp
+    marginals/shapes/discrete.cpp
+    marginals/shapes/empirical.cpp
+    marginals/shapes/gamma.cpp
+    marginals/shapes/gumbel.cpp
+    marginals/shapes/lognormal.cpp
     marginals/marginal.cpp
     marginals/marginal_check.cpp
     marginals/marginal_forms.cpp
     marginals/marginal_moments.cpp
-    marginals/normal.cpp
+    marginals/shapes/normal.cpp
     marginals/normal_rule.cpp
-    marginals/shape_checks.cpp
-    marginals/triangular.cpp
-    marginals/uniform.cpp
-    marginals/weibull.cpp)
+    marginals/shapes/shape_checks.cpp
+    marginals/shapes/triangular.cpp
+    marginals/shapes/uniform.cpp
+    marginals/shapes/weibull.cpp)
 set(UQ_SAMPLING_SOURCES
     designs/correlation_matrix.cpp
     designs/design.cpp

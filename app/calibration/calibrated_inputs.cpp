@@ -1,7 +1,7 @@
 #include "app/calibration/calibrated_inputs.hpp"
 
-#include "app/input/study_keys.hpp"
-#include "app/input/units.hpp"
+#include "app/input/keys/study_keys.hpp"
+#include "app/input/study/units.hpp"
 #include "app/sampling/study_dependence.hpp"
 #include "app/text/words.hpp"
 

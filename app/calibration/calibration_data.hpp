@@ -5,7 +5,7 @@
 #include "app/calibration/calibration_surrogate.hpp"
 #include "app/calibration/measured_tests.hpp"
 #include "app/calibration/tested_quantity.hpp"
-#include "app/study/study_walls.hpp"
+#include "app/study/stored/study_walls.hpp"
 #include "uq/inference/calibration.hpp"
 
 #include <cstddef>

@@ -2,7 +2,7 @@
 /// Files and words of a calibration of inputs.
 
 #include "app/calibration/calibration_run.hpp"
-#include "app/output/table.hpp"
+#include "app/output/table/table.hpp"
 
 #include <cstddef>
 #include <string>

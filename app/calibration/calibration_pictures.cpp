@@ -1,5 +1,5 @@
 #include "app/calibration/calibration_output.hpp"
-#include "app/output/chart_svg.hpp"
+#include "app/output/picture/chart_svg.hpp"
 #include "core/normal.hpp"
 
 #include <algorithm>

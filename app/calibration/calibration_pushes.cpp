@@ -1,11 +1,11 @@
 #include "app/calibration/calibration_pushes.hpp"
 
-#include "app/input/limit_state_text.hpp"
-#include "app/input/random_layouts.hpp"
+#include "app/input/keys/limit_state_text.hpp"
+#include "app/input/wall/random_layouts.hpp"
 #include "app/sampling/wall_draw.hpp"
-#include "app/study/both_ways.hpp"
-#include "app/study/push_walls.hpp"
-#include "app/study/wall_frames.hpp"
+#include "app/study/pushed/both_ways.hpp"
+#include "app/study/pushed/push_walls.hpp"
+#include "app/study/pushed/wall_frames.hpp"
 #include "uq/designs/stream.hpp"
 
 #include <cmath>

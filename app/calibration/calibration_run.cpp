@@ -1,6 +1,6 @@
 #include "app/calibration/calibration_run.hpp"
 
-#include "app/study/interrupt.hpp"
+#include "app/study/pushed/interrupt.hpp"
 #include "app/text/config_error.hpp"
 #include "core/sample_quantile.hpp"
 #include "uq/designs/stream.hpp"

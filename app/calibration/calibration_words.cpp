@@ -1,5 +1,5 @@
 #include "app/calibration/calibration_output.hpp"
-#include "app/output/cells.hpp"
+#include "app/output/table/cells.hpp"
 #include "app/text/number_text.hpp"
 #include "app/text/words.hpp"
 

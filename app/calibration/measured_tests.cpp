@@ -1,8 +1,8 @@
 #include "app/calibration/measured_tests.hpp"
 
 #include "app/fragility/drift_csv.hpp"
-#include "app/input/units.hpp"
-#include "app/study/stress_text.hpp"
+#include "app/input/study/units.hpp"
+#include "app/study/stored/stress_text.hpp"
 #include "app/text/config_error.hpp"
 #include "app/text/number_text.hpp"
 #include "app/text/words.hpp"

@@ -1,5 +1,5 @@
 #include "app/calibration/calibration_output.hpp"
-#include "app/input/model_factor_text.hpp"
+#include "app/input/study/model_factor_text.hpp"
 #include "app/input/study_reading.hpp"
 #include "app/text/number_text.hpp"
 #include "app/text/words.hpp"

@@ -1,13 +1,13 @@
 #include "app/calibration/tested_factor.hpp"
 
 #include "app/fragility/drift_csv.hpp"
-#include "app/input/model_factor_text.hpp"
-#include "app/output/cells.hpp"
+#include "app/input/study/model_factor_text.hpp"
+#include "app/output/table/cells.hpp"
 #include "app/text/config_error.hpp"
 #include "app/text/number_text.hpp"
 #include "app/text/words.hpp"
 #include "core/interval.hpp"
-#include "fragility/observed_quantile.hpp"
+#include "fragility/fits/observed_quantile.hpp"
 
 #include <algorithm>
 #include <array>

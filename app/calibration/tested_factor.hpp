@@ -2,9 +2,9 @@
 /// A user's own tests against the walls of a study: a factor of the model of their own.
 
 #include "app/calibration/measured_tests.hpp"
-#include "app/fragility/tested_walls.hpp"
-#include "app/output/table.hpp"
-#include "app/study/study_walls.hpp"
+#include "app/fragility/numbers/tested_walls.hpp"
+#include "app/output/table/table.hpp"
+#include "app/study/stored/study_walls.hpp"
 #include "app/text/csv.hpp"
 
 #include <optional>

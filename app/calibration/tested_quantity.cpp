@@ -1,7 +1,7 @@
 #include "app/calibration/tested_quantity.hpp"
 
-#include "fragility/cyclic_curve.hpp"
-#include "fragility/resampled_curve.hpp"
+#include "fragility/curve/cyclic_curve.hpp"
+#include "fragility/curve/resampled_curve.hpp"
 
 namespace app {
 namespace {

@@ -1,11 +1,11 @@
 #include "app/choices/choice_list.hpp"
 
-#include "app/input/joint_laws.hpp"
-#include "app/input/key_values.hpp"
-#include "app/input/study_keys.hpp"
+#include "app/input/keys/key_values.hpp"
+#include "app/input/keys/study_keys.hpp"
+#include "app/input/study/units.hpp"
 #include "app/input/study_reading.hpp"
-#include "app/input/unit_cracks.hpp"
-#include "app/input/units.hpp"
+#include "app/input/wall/joint_laws.hpp"
+#include "app/input/wall/unit_cracks.hpp"
 #include "app/text/config_error.hpp"
 #include "app/text/number_text.hpp"
 

@@ -1,7 +1,7 @@
 #include "app/choices/choice_table.hpp"
 
-#include "app/output/svg_elements.hpp"
-#include "app/study/number_cells.hpp"
+#include "app/output/picture/svg_elements.hpp"
+#include "app/study/answers/number_cells.hpp"
 #include "app/text/number_text.hpp"
 
 #include <algorithm>

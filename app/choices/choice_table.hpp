@@ -2,8 +2,8 @@
 /// Effects of each change of a choice on a wall, as a table and as a tornado picture.
 
 #include "app/choices/choice_list.hpp"
-#include "app/output/table.hpp"
-#include "app/study/pushed_wall.hpp"
+#include "app/output/table/table.hpp"
+#include "app/study/pushed/pushed_wall.hpp"
 
 #include <optional>
 #include <string>

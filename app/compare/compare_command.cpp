@@ -2,10 +2,10 @@
 
 #include "app/compare/compared.hpp"
 #include "app/compare/compared_limits.hpp"
-#include "app/output/markup.hpp"
+#include "app/output/picture/markup.hpp"
+#include "app/output/picture/svg_elements.hpp"
 #include "app/output/result_folder.hpp"
-#include "app/output/svg_elements.hpp"
-#include "app/output/table_files.hpp"
+#include "app/output/table/table_files.hpp"
 
 #include <filesystem>
 #include <iostream>

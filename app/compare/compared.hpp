@@ -1,7 +1,7 @@
 #pragma once
 /// Walls side by side, whatever they come from: a stored study, a push, a measured curve.
 
-#include "app/output/table.hpp"
+#include "app/output/table/table.hpp"
 
 #include <string>
 #include <vector>

@@ -1,14 +1,14 @@
 #include "app/compare/compared_limits.hpp"
 
-#include "app/output/cells.hpp"
-#include "app/output/chart_svg.hpp"
-#include "app/study/study_walls.hpp"
+#include "app/output/picture/chart_svg.hpp"
+#include "app/output/table/cells.hpp"
+#include "app/study/stored/study_walls.hpp"
 #include "app/text/config_error.hpp"
 #include "app/text/json_text.hpp"
 #include "app/text/number_text.hpp"
 #include "app/text/text_file.hpp"
-#include "fragility/drift.hpp"
-#include "fragility/observed_quantile.hpp"
+#include "fragility/curve/drift.hpp"
+#include "fragility/fits/observed_quantile.hpp"
 
 #include <algorithm>
 #include <cmath>

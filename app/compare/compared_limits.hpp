@@ -1,7 +1,7 @@
 #pragma once
 /// Limit drifts side by side: of files of studies, and of the folders that `fragility` writes.
 
-#include "app/output/table.hpp"
+#include "app/output/table/table.hpp"
 
 #include <array>
 #include <string>

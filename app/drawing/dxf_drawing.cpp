@@ -1,4 +1,4 @@
-#include "app/drawing/drawing_formats.hpp"
+#include "app/drawing/outlines/drawing_formats.hpp"
 
 #include "app/drawing/dxf_entities.hpp"
 #include "app/drawing/dxf_groups.hpp"

@@ -4,7 +4,7 @@
 
 #include "app/drawing/dxf_groups.hpp"
 #include "app/drawing/hidden_layers.hpp"
-#include "app/drawing/raw_drawing.hpp"
+#include "app/drawing/outlines/raw_drawing.hpp"
 
 #include <map>
 #include <set>

@@ -1,6 +1,6 @@
 #include "app/drawing/dxf_groups.hpp"
 
-#include "app/drawing/drawing_file.hpp"
+#include "app/drawing/outlines/drawing_file.hpp"
 #include "app/text/words.hpp"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 /// The pairs of lines that a DXF file is made of: a group code and its value.
 
-#include "app/drawing/raw_drawing.hpp"
+#include "app/drawing/outlines/raw_drawing.hpp"
 
 #include <cstddef>
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 /// Layers that a drawing program does not show are no part of the wall.
 
-#include "app/drawing/raw_drawing.hpp"
+#include "app/drawing/outlines/raw_drawing.hpp"
 
 #include <cstddef>
 #include <map>

@@ -1,8 +1,8 @@
-#include "app/drawing/drawing_formats.hpp"
+#include "app/drawing/outlines/drawing_formats.hpp"
 
-#include "app/drawing/drawing_file.hpp"
 #include "app/drawing/json_keys.hpp"
-#include "app/drawing/space_mesh.hpp"
+#include "app/drawing/outlines/drawing_file.hpp"
+#include "app/drawing/outlines/space_mesh.hpp"
 
 #include <nlohmann/json.hpp>
 

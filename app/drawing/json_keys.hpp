@@ -1,7 +1,7 @@
 #pragma once
 /// Counts unknown JSON keys, to report them.
 
-#include "app/drawing/raw_drawing.hpp"
+#include "app/drawing/outlines/raw_drawing.hpp"
 
 #include <nlohmann/json.hpp>
 

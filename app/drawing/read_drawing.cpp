@@ -1,5 +1,5 @@
-#include "app/drawing/drawing_file.hpp"
-#include "app/drawing/drawing_formats.hpp"
+#include "app/drawing/outlines/drawing_file.hpp"
+#include "app/drawing/outlines/drawing_formats.hpp"
 #include "app/text/config_error.hpp"
 #include "dem/scene/drawn_layout.hpp"
 

@@ -1,7 +1,7 @@
-#include "app/drawing/drawing_formats.hpp"
+#include "app/drawing/outlines/drawing_formats.hpp"
 
-#include "app/drawing/drawing_file.hpp"
 #include "app/drawing/hidden_layers.hpp"
+#include "app/drawing/outlines/drawing_file.hpp"
 #include "app/drawing/svg_element.hpp"
 #include "app/drawing/svg_geometry.hpp"
 #include "app/drawing/svg_style.hpp"

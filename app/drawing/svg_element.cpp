@@ -1,6 +1,6 @@
 #include "app/drawing/svg_element.hpp"
 
-#include "app/drawing/drawing_file.hpp"
+#include "app/drawing/outlines/drawing_file.hpp"
 
 namespace app {
 namespace {

@@ -1,6 +1,6 @@
 #include "app/drawing/svg_geometry.hpp"
 
-#include "app/drawing/drawing_file.hpp"
+#include "app/drawing/outlines/drawing_file.hpp"
 #include "app/text/number_text.hpp"
 
 #include <charconv>

@@ -2,7 +2,7 @@
 /// Geometry in the attributes of SVG elements: transforms, points and paths. y points
 /// downwards.
 
-#include "app/drawing/raw_drawing.hpp"
+#include "app/drawing/outlines/raw_drawing.hpp"
 
 #include <string_view>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "app/drawing/write_drawing.hpp"
 
-#include "app/drawing/drawing_file.hpp"
+#include "app/drawing/outlines/drawing_file.hpp"
 #include "app/text/json_text.hpp"
 #include "app/text/number_text.hpp"
 

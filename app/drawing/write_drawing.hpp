@@ -1,7 +1,7 @@
 #pragma once
 /// Blocks as files that read_drawing and other programs read.
 
-#include "app/drawing/drawing.hpp"
+#include "app/drawing/outlines/drawing.hpp"
 
 #include <span>
 #include <string>

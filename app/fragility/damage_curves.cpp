@@ -1,7 +1,7 @@
 #include "app/fragility/damage_curves.hpp"
 
-#include "app/output/chart_svg.hpp"
-#include "app/study/fragility_text.hpp"
+#include "app/output/picture/chart_svg.hpp"
+#include "app/study/answers/fragility_text.hpp"
 #include "app/text/number_text.hpp"
 
 namespace app {

@@ -1,8 +1,8 @@
 #pragma once
 /// Tables and pictures of fragility curves from counts.
 
-#include "app/fragility/damage_counts.hpp"
-#include "app/fragility/fragility_output.hpp"
+#include "app/fragility/numbers/damage_counts.hpp"
+#include "app/fragility/numbers/fragility_output.hpp"
 
 namespace app {
 

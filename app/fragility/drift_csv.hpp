@@ -1,7 +1,7 @@
 #pragma once
 /// Drifts from anyone's table.
 
-#include "app/fragility/fragility_data.hpp"
+#include "app/fragility/numbers/fragility_data.hpp"
 #include "app/text/csv.hpp"
 
 #include <string>

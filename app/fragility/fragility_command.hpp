@@ -1,11 +1,11 @@
 #pragma once
 /// `drystone fragility FILE.h5`, or of a CSV: tables, curves and pictures in a folder.
 
-#include "app/fragility/drift_fits.hpp"
-#include "app/fragility/fragility_data.hpp"
-#include "app/fragility/fragility_output.hpp"
+#include "app/fragility/numbers/drift_fits.hpp"
+#include "app/fragility/numbers/fragility_data.hpp"
+#include "app/fragility/numbers/fragility_output.hpp"
 #include "app/input/command.hpp"
-#include "app/study/study_walls.hpp"
+#include "app/study/stored/study_walls.hpp"
 
 namespace app {
 

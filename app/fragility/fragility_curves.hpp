@@ -1,10 +1,10 @@
 #pragma once
 /// P(limit state reached | drift): tables at a grid of drifts, steps, and charts.
 
-#include "app/fragility/fragility_data.hpp"
-#include "app/fragility/fragility_output.hpp"
-#include "app/output/table.hpp"
-#include "fragility/fragility_curve.hpp"
+#include "app/fragility/numbers/fragility_data.hpp"
+#include "app/fragility/numbers/fragility_output.hpp"
+#include "app/output/table/table.hpp"
+#include "fragility/limits/fragility_curve.hpp"
 
 #include <vector>
 

@@ -1,9 +1,9 @@
 #include "app/fragility/fragility_cycles.hpp"
 
-#include "app/fragility/table_texts.hpp"
-#include "app/output/chart_svg.hpp"
-#include "app/study/fragility_text.hpp"
-#include "fragility/drift.hpp"
+#include "app/fragility/numbers/table_texts.hpp"
+#include "app/output/picture/chart_svg.hpp"
+#include "app/study/answers/fragility_text.hpp"
+#include "fragility/curve/drift.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -3,9 +3,9 @@
 /// mode.
 
 #include "app/fragility/fragility_means.hpp"
-#include "app/fragility/fragility_output.hpp"
-#include "app/output/table.hpp"
-#include "app/study/study_walls.hpp"
+#include "app/fragility/numbers/fragility_output.hpp"
+#include "app/output/table/table.hpp"
+#include "app/study/stored/study_walls.hpp"
 
 #include <cstddef>
 #include <vector>

@@ -1,8 +1,8 @@
 #include "app/fragility/fragility_inputs.hpp"
 
-#include "app/fragility/table_texts.hpp"
-#include "app/output/chart_svg.hpp"
-#include "app/study/fragility_text.hpp"
+#include "app/fragility/numbers/table_texts.hpp"
+#include "app/output/picture/chart_svg.hpp"
+#include "app/study/answers/fragility_text.hpp"
 #include "uq/sensitivity/correlation_measures.hpp"
 #include "uq/sensitivity/regression.hpp"
 

@@ -1,10 +1,10 @@
 #pragma once
 /// Inputs that peak force and ultimate displacement depend on (the paper, Fig. 12).
 
-#include "app/fragility/fragility_output.hpp"
-#include "app/output/table.hpp"
+#include "app/fragility/numbers/fragility_output.hpp"
+#include "app/output/table/table.hpp"
 #include "app/reading/wall_numbers.hpp"
-#include "app/study/study_walls.hpp"
+#include "app/study/stored/study_walls.hpp"
 
 #include "uq/estimates/estimate.hpp"
 

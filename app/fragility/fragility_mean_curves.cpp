@@ -1,10 +1,10 @@
 #include "app/fragility/fragility_means.hpp"
 
-#include "app/fragility/table_texts.hpp"
-#include "app/output/chart_svg.hpp"
-#include "app/study/fragility_text.hpp"
+#include "app/fragility/numbers/table_texts.hpp"
+#include "app/output/picture/chart_svg.hpp"
+#include "app/study/answers/fragility_text.hpp"
 #include "core/sample_quantile.hpp"
-#include "fragility/drift.hpp"
+#include "fragility/curve/drift.hpp"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 #include "app/fragility/fragility_means.hpp"
 
-#include "app/fragility/table_texts.hpp"
-#include "app/study/fragility_text.hpp"
-#include "app/study/mean_cells.hpp"
-#include "app/study/mode_share.hpp"
+#include "app/fragility/numbers/table_texts.hpp"
+#include "app/study/answers/fragility_text.hpp"
+#include "app/study/answers/mean_cells.hpp"
+#include "app/study/answers/mode_share.hpp"
 #include "uq/estimates/estimate.hpp"
 
 #include <numeric>

@@ -1,9 +1,9 @@
 #pragma once
 /// Means per mode and vertical stress (the paper, Tables 6 to 8 and Fig. 15).
 
-#include "app/fragility/fragility_output.hpp"
-#include "app/output/table.hpp"
-#include "app/study/study_walls.hpp"
+#include "app/fragility/numbers/fragility_output.hpp"
+#include "app/output/table/table.hpp"
+#include "app/study/stored/study_walls.hpp"
 #include "core/interval.hpp"
 
 #include <cstddef>

@@ -1,14 +1,14 @@
 #include "app/fragility/fragility_modes.hpp"
 
-#include "app/fragility/table_texts.hpp"
-#include "app/study/fragility_text.hpp"
-#include "app/study/mode_rule.hpp"
-#include "app/study/mode_share.hpp"
+#include "app/fragility/numbers/table_texts.hpp"
+#include "app/study/answers/fragility_text.hpp"
+#include "app/study/answers/mode_rule.hpp"
+#include "app/study/answers/mode_share.hpp"
 #include "core/binomial.hpp"
 #include "core/interval.hpp"
-#include "dem/scene/mechanism.hpp"
-#include "fragility/equal_modes.hpp"
-#include "fragility/mode_sensitivity.hpp"
+#include "dem/scene/mechanism/mechanism.hpp"
+#include "fragility/modes/equal_modes.hpp"
+#include "fragility/modes/mode_sensitivity.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #pragma once
 /// Failure modes of a study: how likely, what decides, what the thresholds of the rule change.
 
-#include "app/output/table.hpp"
-#include "app/study/study_walls.hpp"
+#include "app/output/table/table.hpp"
+#include "app/study/stored/study_walls.hpp"
 
 namespace app {
 
@@ -15,7 +15,7 @@ namespace app {
 /// does not depend on it.
 [[nodiscard]] Table equal_modes_table(const StudyWalls& walls);
 
-/// Share of mixed mode for other thresholds of dem/scene/mechanism.hpp.
+/// Share of mixed mode for other thresholds of dem/scene/mechanism/mechanism.hpp.
 [[nodiscard]] Table threshold_table(const StudyWalls& walls);
 
 } // namespace app

@@ -1,15 +1,15 @@
-#include "app/fragility/fragility_limits.hpp"
+#include "app/fragility/numbers/fragility_limits.hpp"
 
-#include "app/fragility/drift_fits.hpp"
-#include "app/fragility/limit_drifts.hpp"
-#include "app/output/markup.hpp"
+#include "app/fragility/numbers/drift_fits.hpp"
+#include "app/fragility/numbers/limit_drifts.hpp"
+#include "app/output/picture/markup.hpp"
 #include "app/output/unique_names.hpp"
-#include "app/study/fragility_text.hpp"
+#include "app/study/answers/fragility_text.hpp"
 #include "app/text/number_text.hpp"
 #include "core/fit_factors.hpp"
 #include "core/interval.hpp"
-#include "fragility/model_factor.hpp"
-#include "fragility/standard_law.hpp"
+#include "fragility/laws/standard_law.hpp"
+#include "fragility/limits/model_factor.hpp"
 
 #include <algorithm>
 #include <array>

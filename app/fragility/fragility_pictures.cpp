@@ -1,12 +1,12 @@
 #include "app/fragility/fragility_curves.hpp"
 
-#include "app/fragility/drift_fits.hpp"
-#include "app/fragility/limit_drifts.hpp"
-#include "app/output/chart_svg.hpp"
-#include "app/study/fragility_text.hpp"
+#include "app/fragility/numbers/drift_fits.hpp"
+#include "app/fragility/numbers/limit_drifts.hpp"
+#include "app/output/picture/chart_svg.hpp"
+#include "app/study/answers/fragility_text.hpp"
 #include "app/text/number_text.hpp"
-#include "fragility/fragility_curve.hpp"
-#include "fragility/kaplan_meier.hpp"
+#include "fragility/fits/kaplan_meier.hpp"
+#include "fragility/limits/fragility_curve.hpp"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #include "app/fragility/fragility_walls.hpp"
 
-#include "app/fragility/table_texts.hpp"
-#include "app/study/fragility_text.hpp"
-#include "app/study/number_cells.hpp"
+#include "app/fragility/numbers/table_texts.hpp"
+#include "app/study/answers/fragility_text.hpp"
+#include "app/study/answers/number_cells.hpp"
 
 namespace app {
 namespace {

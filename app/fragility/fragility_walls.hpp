@@ -1,8 +1,8 @@
 #pragma once
 /// Every wall of a study and how it is read.
 
-#include "app/output/table.hpp"
-#include "app/study/study_walls.hpp"
+#include "app/output/table/table.hpp"
+#include "app/study/stored/study_walls.hpp"
 
 namespace app {
 

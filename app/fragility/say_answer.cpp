@@ -1,13 +1,13 @@
 #include "app/fragility/say_answer.hpp"
 
-#include "app/fragility/answer_table.hpp"
-#include "app/fragility/drift_fits.hpp"
-#include "app/fragility/fragility_data.hpp"
-#include "app/output/markup.hpp"
+#include "app/fragility/numbers/answer_table.hpp"
+#include "app/fragility/numbers/drift_fits.hpp"
+#include "app/fragility/numbers/fragility_data.hpp"
+#include "app/output/picture/markup.hpp"
 #include "app/output/progress.hpp"
-#include "app/output/table.hpp"
-#include "app/study/interrupt.hpp"
-#include "app/study/study_walls.hpp"
+#include "app/output/table/table.hpp"
+#include "app/study/pushed/interrupt.hpp"
+#include "app/study/stored/study_walls.hpp"
 
 #include <iostream>
 

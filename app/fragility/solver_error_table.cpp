@@ -1,10 +1,10 @@
 #include "app/fragility/solver_error_table.hpp"
 
 #include "app/fragility/fragility_means.hpp"
-#include "app/fragility/table_texts.hpp"
-#include "app/output/cells.hpp"
-#include "app/study/solver_error.hpp"
-#include "app/study/study_file_head.hpp"
+#include "app/fragility/numbers/table_texts.hpp"
+#include "app/output/table/cells.hpp"
+#include "app/study/answers/solver_error.hpp"
+#include "app/study/stored/study_file_head.hpp"
 #include "app/text/words.hpp"
 #include "core/interval.hpp"
 

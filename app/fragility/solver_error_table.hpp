@@ -1,8 +1,8 @@
 #pragma once
 /// The error by the speed of the solver beside the error of sampling.
 
-#include "app/output/table.hpp"
-#include "app/study/study_walls.hpp"
+#include "app/output/table/table.hpp"
+#include "app/study/stored/study_walls.hpp"
 
 namespace app {
 

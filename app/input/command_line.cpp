@@ -1,7 +1,7 @@
 #include "app/input/command_line.hpp"
 
 #include "app/input/option.hpp"
-#include "app/input/units.hpp"
+#include "app/input/study/units.hpp"
 #include "app/text/config_error.hpp"
 #include "app/text/words.hpp"
 

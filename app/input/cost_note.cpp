@@ -1,6 +1,6 @@
 #include "app/input/key_effects.hpp"
 #include "app/input/study_reading.hpp"
-#include "app/input/wall_geometry.hpp"
+#include "app/input/wall/wall_geometry.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/block/build_cost.hpp"
 

@@ -1,9 +1,9 @@
 #include "app/input/command_line.hpp"
-#include "app/input/distribution_text.hpp"
 #include "app/input/key_effects.hpp"
-#include "app/input/key_values.hpp"
+#include "app/input/keys/key_values.hpp"
+#include "app/input/keys/study_keys.hpp"
 #include "app/input/option.hpp"
-#include "app/input/study_keys.hpp"
+#include "app/input/study/distribution_text.hpp"
 #include "app/text/config_error.hpp"
 #include "app/text/words.hpp"
 

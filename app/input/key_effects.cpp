@@ -1,10 +1,10 @@
 #include "app/input/key_effects.hpp"
 
-#include "app/input/joint_laws.hpp"
-#include "app/input/key_values.hpp"
-#include "app/input/material_presets.hpp"
+#include "app/input/keys/key_values.hpp"
+#include "app/input/study/material_presets.hpp"
 #include "app/input/study_reading.hpp"
-#include "app/input/wall_geometry.hpp"
+#include "app/input/wall/joint_laws.hpp"
+#include "app/input/wall/wall_geometry.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/scene/symmetry.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 /// Keys that are given and change nothing: a user must be told of them.
 
+#include "app/input/keys/study_keys.hpp"
 #include "app/input/prepared_study.hpp"
-#include "app/input/study_keys.hpp"
 #include "app/input/study_reading.hpp"
 #include "app/input/verb.hpp"
 

@@ -1,7 +1,7 @@
 #include "app/input/keys_page.hpp"
 
-#include "app/input/key_values.hpp"
-#include "app/input/study_keys.hpp"
+#include "app/input/keys/key_values.hpp"
+#include "app/input/keys/study_keys.hpp"
 
 #include <span>
 #include <string_view>

@@ -1,9 +1,9 @@
 #include "app/input/needed_cracks.hpp"
 
 #include "app/input/prepared_study.hpp"
-#include "app/input/wall_geometry.hpp"
+#include "app/input/wall/wall_geometry.hpp"
 #include "dem/block/model.hpp"
-#include "dem/scene/snapshot_reading.hpp"
+#include "dem/scene/mechanism/snapshot_reading.hpp"
 #include "dem/solver/push.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 /// Which units of a wall come near their strength, so that the others need no potential cracks.
 
-#include "dem/scene/polygon.hpp"
+#include "dem/scene/geometry/polygon.hpp"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #include "app/input/option.hpp"
 
-#include "app/input/units.hpp"
+#include "app/input/study/units.hpp"
 #include "app/input/verb.hpp"
 #include "app/text/number_text.hpp"
 #include "app/text/words.hpp"

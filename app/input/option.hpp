@@ -2,7 +2,7 @@
 /// The options of the command line: one row for each.
 
 #include "app/input/command.hpp"
-#include "app/input/verb_set.hpp"
+#include "app/input/keys/verb_set.hpp"
 
 #include <boost/program_options/options_description.hpp>
 

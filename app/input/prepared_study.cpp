@@ -1,11 +1,11 @@
 #include "app/input/prepared_study.hpp"
 
-#include "app/input/built_wall.hpp"
 #include "app/input/needed_cracks.hpp"
 #include "app/input/protocol_scale.hpp"
 #include "app/input/study_checks.hpp"
-#include "app/input/unit_cracks.hpp"
-#include "app/input/wall_geometry.hpp"
+#include "app/input/wall/built_wall.hpp"
+#include "app/input/wall/unit_cracks.hpp"
+#include "app/input/wall/wall_geometry.hpp"
 
 #include <algorithm>
 #include <stdexcept>

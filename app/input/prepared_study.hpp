@@ -1,7 +1,7 @@
 #pragma once
 /// A study that is ready to run: its wall is laid out, and what only a push can tell is found.
 
-#include "app/input/study.hpp"
+#include "app/input/study/study.hpp"
 #include "dem/block/model.hpp"
 #include "dem/scene/layout.hpp"
 

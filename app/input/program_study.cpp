@@ -1,9 +1,9 @@
 /// Studies of another program.
 
-#include "app/input/distribution_text.hpp"
-#include "app/input/key_reading.hpp"
+#include "app/input/keys/key_reading.hpp"
+#include "app/input/study/distribution_text.hpp"
+#include "app/input/study/units.hpp"
 #include "app/input/study_reading.hpp"
-#include "app/input/units.hpp"
 
 namespace app {
 namespace {

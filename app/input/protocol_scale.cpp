@@ -1,7 +1,7 @@
 #include "app/input/protocol_scale.hpp"
 
-#include "app/input/limit_state_text.hpp"
-#include "app/input/push_end.hpp"
+#include "app/input/keys/limit_state_text.hpp"
+#include "app/input/keys/push_end.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/block/model.hpp"
 #include "dem/solver/push.hpp"

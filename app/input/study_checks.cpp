@@ -1,17 +1,17 @@
 #include "app/input/study_checks.hpp"
-#include "app/input/joint_laws.hpp"
-#include "app/input/model_factor_text.hpp"
-#include "app/input/random_layouts.hpp"
-#include "app/input/slivers.hpp"
-#include "app/input/study.hpp"
-#include "app/input/unit_cracks.hpp"
-#include "app/input/wall_geometry.hpp"
+#include "app/input/study/model_factor_text.hpp"
+#include "app/input/study/study.hpp"
+#include "app/input/wall/joint_laws.hpp"
+#include "app/input/wall/random_layouts.hpp"
+#include "app/input/wall/slivers.hpp"
+#include "app/input/wall/unit_cracks.hpp"
+#include "app/input/wall/wall_geometry.hpp"
 
-#include "app/input/units.hpp"
+#include "app/input/study/units.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/scene/bond.hpp"
 #include "dem/scene/layout.hpp"
-#include "dem/solver/recorder.hpp"
+#include "dem/solver/state/recorder.hpp"
 
 #include <algorithm>
 #include <cmath>

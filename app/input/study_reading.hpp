@@ -1,7 +1,7 @@
 #pragma once
 /// A study read from its file, and written down again.
 
-#include "app/input/study_file.hpp"
+#include "app/input/study/study_file.hpp"
 
 #include <span>
 #include <string>

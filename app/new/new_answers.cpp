@@ -1,9 +1,9 @@
 #include "app/new/new_answers.hpp"
 
-#include "app/input/key_values.hpp"
-#include "app/input/material_presets.hpp"
-#include "app/input/study_keys.hpp"
-#include "app/input/units.hpp"
+#include "app/input/keys/key_values.hpp"
+#include "app/input/keys/study_keys.hpp"
+#include "app/input/study/material_presets.hpp"
+#include "app/input/study/units.hpp"
 #include "app/text/config_error.hpp"
 #include "app/text/words.hpp"
 

@@ -1,7 +1,7 @@
 #include "app/new/new_study.hpp"
 
-#include "app/input/material_presets.hpp"
-#include "app/input/units.hpp"
+#include "app/input/study/material_presets.hpp"
+#include "app/input/study/units.hpp"
 #include "app/text/number_text.hpp"
 
 #include <algorithm>

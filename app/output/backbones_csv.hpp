@@ -1,7 +1,7 @@
 #pragma once
 /// The backbones of a push to and fro as a table.
 
-#include "fragility/cyclic_curve.hpp"
+#include "fragility/curve/cyclic_curve.hpp"
 
 #include <string>
 

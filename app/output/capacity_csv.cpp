@@ -1,7 +1,7 @@
 #include "app/output/capacity_csv.hpp"
 
 #include "app/text/number_text.hpp"
-#include "fragility/drift.hpp"
+#include "fragility/curve/drift.hpp"
 
 #include <cstddef>
 #include <stdexcept>

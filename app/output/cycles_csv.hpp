@@ -1,8 +1,8 @@
 #pragma once
 /// The cycles of a push to and fro as a table.
 
-#include "dem/solver/energy.hpp"
-#include "fragility/cyclic_curve.hpp"
+#include "dem/solver/state/energy.hpp"
+#include "fragility/curve/cyclic_curve.hpp"
 
 #include <span>
 #include <string>

@@ -2,7 +2,7 @@
 /// The energies of a wall in its summary.
 
 #include "app/text/json_text.hpp"
-#include "dem/solver/energy_parts.hpp"
+#include "dem/solver/state/energy_parts.hpp"
 
 #include <string>
 

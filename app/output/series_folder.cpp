@@ -1,7 +1,7 @@
 #include "app/output/series_folder.hpp"
 
 #include "app/output/atomic_output.hpp"
-#include "dem/scene/snapshot_vtu.hpp"
+#include "dem/scene/mechanism/snapshot_vtu.hpp"
 
 #include <algorithm>
 #include <array>

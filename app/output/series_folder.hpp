@@ -3,7 +3,7 @@
 
 #include "app/output/made_folder.hpp"
 #include "app/output/result_folder.hpp"
-#include "dem/scene/snapshot.hpp"
+#include "dem/scene/geometry/snapshot.hpp"
 
 #include <filesystem>
 #include <optional>

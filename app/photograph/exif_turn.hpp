@@ -1,7 +1,7 @@
 #pragma once
 /// How a camera was held.
 
-#include "app/drawing/picture.hpp"
+#include "app/drawing/trace/picture.hpp"
 
 #include <string_view>
 

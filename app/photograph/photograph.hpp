@@ -3,7 +3,7 @@
 /// libjpeg-turbo. A program that was built without them refuses photographs and names the
 /// packages.
 
-#include "app/drawing/picture.hpp"
+#include "app/drawing/trace/picture.hpp"
 
 #include <array>
 #include <string_view>

@@ -1,4 +1,4 @@
-#include "app/drawing/drawing_file.hpp"
+#include "app/drawing/outlines/drawing_file.hpp"
 #include "app/photograph/exif_turn.hpp"
 #include "app/photograph/photograph.hpp"
 

@@ -1,5 +1,5 @@
 #include "app/commands.hpp"
-#include "app/drawing/drawing_file.hpp"
+#include "app/drawing/outlines/drawing_file.hpp"
 #include "app/output/result_folder.hpp"
 #include "app/photograph/stones_picture.hpp"
 #include "app/text/config_error.hpp"

@@ -1,11 +1,11 @@
 #include "app/push/capacity_svg.hpp"
 
-#include "app/input/limit_state_text.hpp"
-#include "app/study/both_ways.hpp"
-#include "app/study/fragility_text.hpp"
-#include "app/study/study_walls.hpp"
+#include "app/input/keys/limit_state_text.hpp"
+#include "app/study/answers/fragility_text.hpp"
+#include "app/study/pushed/both_ways.hpp"
+#include "app/study/stored/study_walls.hpp"
 #include "app/text/number_text.hpp"
-#include "fragility/drift.hpp"
+#include "fragility/curve/drift.hpp"
 
 #include <cmath>
 #include <map>

@@ -1,9 +1,9 @@
 #pragma once
 /// Picture of one capacity curve.
 
-#include "app/output/chart_svg.hpp"
+#include "app/output/picture/chart_svg.hpp"
 #include "app/push/test_curve.hpp"
-#include "app/study/pushed_wall.hpp"
+#include "app/study/pushed/pushed_wall.hpp"
 
 #include <string>
 #include <vector>

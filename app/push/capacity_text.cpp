@@ -1,7 +1,7 @@
 #include "app/push/capacity_text.hpp"
 
 #include "app/output/capacity_csv.hpp"
-#include "dem/solver/energy_parts.hpp"
+#include "dem/solver/state/energy_parts.hpp"
 
 #include <utility>
 

@@ -1,7 +1,7 @@
 #pragma once
 /// capacity.csv of one wall.
 
-#include "app/study/pushed_wall.hpp"
+#include "app/study/pushed/pushed_wall.hpp"
 
 #include <string>
 

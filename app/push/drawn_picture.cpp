@@ -1,9 +1,9 @@
 #include "app/push/drawn_picture.hpp"
 
-#include "app/input/study.hpp"
-#include "app/input/units.hpp"
-#include "app/output/svg_elements.hpp"
-#include "app/output/wall_view.hpp"
+#include "app/input/study/study.hpp"
+#include "app/input/study/units.hpp"
+#include "app/output/picture/svg_elements.hpp"
+#include "app/output/picture/wall_view.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/scene/touching.hpp"
 

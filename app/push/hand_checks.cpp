@@ -1,14 +1,14 @@
 #include "app/push/hand_checks.hpp"
 
-#include "app/input/wall_geometry.hpp"
+#include "app/input/wall/wall_geometry.hpp"
 #include "app/push/pier_table.hpp"
-#include "app/study/both_ways.hpp"
-#include "app/study/limit_choices.hpp"
-#include "app/study/pier_remark.hpp"
-#include "app/study/solver_error.hpp"
+#include "app/study/answers/limit_choices.hpp"
+#include "app/study/answers/solver_error.hpp"
+#include "app/study/pushed/both_ways.hpp"
+#include "app/study/pushed/pier_remark.hpp"
 #include "app/text/number_text.hpp"
-#include "dem/scene/rigid_wall.hpp"
-#include "dem/scene/snapshot_reading.hpp"
+#include "dem/scene/mechanism/rigid_wall.hpp"
+#include "dem/scene/mechanism/snapshot_reading.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 /// Closed forms that an engineer checks a push by: equilibrium of the wall as a rigid body,
 /// Coulomb friction, and the largest compression at the base.
 
-#include "app/study/pushed_wall.hpp"
+#include "app/study/pushed/pushed_wall.hpp"
 #include "dem/scene/layout.hpp"
 
 #include <optional>

@@ -1,9 +1,9 @@
 #include "app/push/level_table.hpp"
 
-#include "app/study/both_ways.hpp"
-#include "app/study/fragility_text.hpp"
-#include "app/study/mode_rule.hpp"
-#include "app/study/number_cells.hpp"
+#include "app/study/answers/fragility_text.hpp"
+#include "app/study/answers/mode_rule.hpp"
+#include "app/study/answers/number_cells.hpp"
+#include "app/study/pushed/both_ways.hpp"
 
 #include <algorithm>
 #include <string>

@@ -1,8 +1,8 @@
 #pragma once
 /// Peak, stiffness, ultimate displacement and mode of pushed walls.
 
-#include "app/output/table.hpp"
-#include "app/study/pushed_wall.hpp"
+#include "app/output/table/table.hpp"
+#include "app/study/pushed/pushed_wall.hpp"
 
 #include <vector>
 

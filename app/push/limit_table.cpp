@@ -1,9 +1,9 @@
 #include "app/push/limit_table.hpp"
 
-#include "app/input/limit_state_text.hpp"
+#include "app/input/keys/limit_state_text.hpp"
 #include "app/push/pier_table.hpp"
-#include "app/study/both_ways.hpp"
-#include "app/study/number_cells.hpp"
+#include "app/study/answers/number_cells.hpp"
+#include "app/study/pushed/both_ways.hpp"
 
 #include <algorithm>
 #include <string>

@@ -1,10 +1,10 @@
 #include "app/push/pier_picture.hpp"
 
-#include "app/input/wall_geometry.hpp"
-#include "app/output/svg_elements.hpp"
-#include "app/study/both_ways.hpp"
-#include "app/study/fragility_text.hpp"
-#include "app/study/stress_text.hpp"
+#include "app/input/wall/wall_geometry.hpp"
+#include "app/output/picture/svg_elements.hpp"
+#include "app/study/answers/fragility_text.hpp"
+#include "app/study/pushed/both_ways.hpp"
+#include "app/study/stored/stress_text.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/scene/touching.hpp"
 

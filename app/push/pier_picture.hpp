@@ -1,7 +1,7 @@
 #pragma once
 /// piers.svg: the piers of a pushed wall, with what they carry.
 
-#include "app/study/pushed_wall.hpp"
+#include "app/study/pushed/pushed_wall.hpp"
 
 #include <string>
 

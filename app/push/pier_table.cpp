@@ -1,11 +1,11 @@
 #include "app/push/pier_table.hpp"
 
-#include "app/input/limit_state_text.hpp"
-#include "app/study/both_ways.hpp"
-#include "app/study/number_cells.hpp"
-#include "app/study/pier_remark.hpp"
+#include "app/input/keys/limit_state_text.hpp"
+#include "app/study/answers/number_cells.hpp"
+#include "app/study/pushed/both_ways.hpp"
+#include "app/study/pushed/pier_remark.hpp"
 #include "app/text/number_text.hpp"
-#include "fragility/code_table.hpp"
+#include "fragility/codes/code_table.hpp"
 
 #include <algorithm>
 #include <span>

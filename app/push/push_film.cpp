@@ -1,8 +1,8 @@
 #include "app/push/push_film.hpp"
 
-#include "app/output/film_svg.hpp"
-#include "app/study/study_walls.hpp"
-#include "app/study/wall_frames.hpp"
+#include "app/output/picture/film_svg.hpp"
+#include "app/study/pushed/wall_frames.hpp"
+#include "app/study/stored/study_walls.hpp"
 #include "app/text/number_text.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 /// Frames of a push for film.svg, taken beside the series for ParaView.
 
-#include "app/study/pushed_wall.hpp"
+#include "app/study/pushed/pushed_wall.hpp"
 #include "dem/solver/push.hpp"
 
 #include <cstddef>

@@ -1,9 +1,9 @@
 #include "app/push/push_until_told.hpp"
 
 #include "app/output/progress.hpp"
-#include "app/study/interrupt.hpp"
 #include "app/study/other_way.hpp"
-#include "app/study/push_walls.hpp"
+#include "app/study/pushed/interrupt.hpp"
+#include "app/study/pushed/push_walls.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/block/model.hpp"
 

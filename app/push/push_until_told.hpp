@@ -3,7 +3,7 @@
 /// or the program is told to end.
 
 #include "app/input/prepared_study.hpp"
-#include "app/study/pushed_wall.hpp"
+#include "app/study/pushed/pushed_wall.hpp"
 #include "dem/solver/push.hpp"
 
 #include <vector>
@@ -21,8 +21,8 @@ struct Pushed {
 /// The line is of all walls together: those that are done, and the one that spoke last. Walls
 /// that are not symmetric are pushed the other way at the same time.
 /// @param plan where to push the walls
-/// @throws Interrupted (app/study/interrupt.hpp) where the program is told to end before any
-/// wall has a curve
+/// @throws Interrupted (app/study/pushed/interrupt.hpp) where the program is told to end before
+/// any wall has a curve
 [[nodiscard]] Pushed push_until_told(const PreparedStudy& ready, dem::PushPlan plan,
                                      const std::vector<WantedWall>& wanted, int threads,
                                      bool quiet);

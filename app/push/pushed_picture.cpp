@@ -1,7 +1,7 @@
 #include "app/push/pushed_picture.hpp"
 
-#include "app/output/wall_svg.hpp"
-#include "app/study/study_walls.hpp"
+#include "app/output/picture/wall_svg.hpp"
+#include "app/study/stored/study_walls.hpp"
 
 namespace app {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// wall.svg: a pushed wall at its peak and at the end.
 
-#include "app/study/pushed_wall.hpp"
+#include "app/study/pushed/pushed_wall.hpp"
 
 #include <string>
 

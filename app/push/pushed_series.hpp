@@ -3,7 +3,7 @@
 
 #include "app/output/made_folder.hpp"
 #include "app/output/series_folder.hpp"
-#include "app/store/file_lock.hpp"
+#include "app/store/hdf5/file_lock.hpp"
 #include "dem/solver/push.hpp"
 
 #include <cstddef>

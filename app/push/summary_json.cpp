@@ -1,17 +1,17 @@
 #include "app/push/summary_json.hpp"
 
-#include "app/input/limit_state_text.hpp"
+#include "app/input/keys/limit_state_text.hpp"
 #include "app/input/study_reading.hpp"
 #include "app/output/energy_json.hpp"
 #include "app/program_version.hpp"
 #include "app/push/hand_checks.hpp"
-#include "app/study/both_ways.hpp"
-#include "app/study/mode_rule.hpp"
+#include "app/study/answers/mode_rule.hpp"
+#include "app/study/pushed/both_ways.hpp"
 #include "app/text/json_text.hpp"
 #include "app/text/number_text.hpp"
 #include "app/version.hpp"
 #include "dem/solver/solver_revision.hpp"
-#include "fragility/drift.hpp"
+#include "fragility/curve/drift.hpp"
 
 namespace app {
 

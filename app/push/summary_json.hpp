@@ -1,7 +1,7 @@
 #pragma once
 /// summary.json: what one push found, with the rules and settings behind each number.
 
-#include "app/study/pushed_wall.hpp"
+#include "app/study/pushed/pushed_wall.hpp"
 
 #include <string>
 

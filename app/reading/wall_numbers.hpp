@@ -5,7 +5,7 @@
 
 #include "app/reading/wall_reading.hpp"
 #include "dem/solver/push.hpp"
-#include "fragility/drift.hpp"
+#include "fragility/curve/drift.hpp"
 
 #include <array>
 #include <cstdint>

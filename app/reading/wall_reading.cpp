@@ -1,6 +1,6 @@
 #include "app/reading/wall_reading.hpp"
 
-#include "fragility/bilinear.hpp"
+#include "fragility/curve/bilinear.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,9 +4,9 @@
 /// Every table, picture, summary, page, stopping rule and reliability analysis takes these
 /// numbers. A push that turns back is read on its backbones.
 
-#include "dem/scene/mechanism.hpp"
-#include "fragility/cyclic_curve.hpp"
-#include "fragility/limit_states.hpp"
+#include "dem/scene/mechanism/mechanism.hpp"
+#include "fragility/curve/cyclic_curve.hpp"
+#include "fragility/curve/limit_states.hpp"
 
 #include <optional>
 #include <string>

@@ -1,8 +1,8 @@
 #include "app/commands.hpp"
 
-#include "app/output/markup.hpp"
+#include "app/output/picture/markup.hpp"
 #include "app/output/result_folder.hpp"
-#include "app/output/table_files.hpp"
+#include "app/output/table/table_files.hpp"
 #include "app/output/unique_names.hpp"
 #include "app/record/record_pictures.hpp"
 #include "app/record/record_table.hpp"

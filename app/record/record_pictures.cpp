@@ -1,6 +1,6 @@
 #include "app/record/record_pictures.hpp"
 
-#include "app/output/chart_svg.hpp"
+#include "app/output/picture/chart_svg.hpp"
 #include "app/record/record_table.hpp"
 #include "app/text/number_text.hpp"
 

@@ -1,6 +1,6 @@
 #include "app/record/record_table.hpp"
 
-#include "app/output/cells.hpp"
+#include "app/output/table/cells.hpp"
 #include "ground/motion_facts.hpp"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 /// Records and pulses beside each other: what was read, and their measures of intensity.
 
-#include "app/output/table.hpp"
+#include "app/output/table/table.hpp"
 #include "ground/intensity.hpp"
 #include "ground/record.hpp"
 

@@ -1,9 +1,9 @@
 #include "app/reliability/evaluation_identity.hpp"
 
-#include "app/input/key_values.hpp"
-#include "app/input/units.hpp"
-#include "app/study/study_identity.hpp"
-#include "app/study/wanted_walls.hpp"
+#include "app/input/keys/key_values.hpp"
+#include "app/input/study/units.hpp"
+#include "app/study/stored/study_identity.hpp"
+#include "app/study/stored/wanted_walls.hpp"
 
 #include <span>
 #include <string_view>

@@ -1,6 +1,6 @@
 #include "app/reliability/event.hpp"
 
-#include "app/input/units.hpp"
+#include "app/input/study/units.hpp"
 #include "app/reading/wall_numbers.hpp"
 
 #include "app/text/words.hpp"

@@ -1,9 +1,9 @@
 #include "app/reliability/event.hpp"
 #include "app/sampling/study_dependence.hpp"
-#include "app/study/interrupt.hpp"
+#include "app/study/pushed/interrupt.hpp"
 #include "app/text/words.hpp"
-#include "uq/reliability/external_program.hpp"
-#include "uq/reliability/to_variables.hpp"
+#include "uq/reliability/limit_state/external_program.hpp"
+#include "uq/reliability/limit_state/to_variables.hpp"
 
 #include <algorithm>
 #include <sstream>

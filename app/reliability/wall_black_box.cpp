@@ -1,8 +1,8 @@
 #include "app/reliability/wall_black_box.hpp"
 
 #include "app/reading/wall_numbers.hpp"
-#include "app/study/push_walls.hpp"
-#include "app/study/wall_frames.hpp"
+#include "app/study/pushed/push_walls.hpp"
+#include "app/study/pushed/wall_frames.hpp"
 #include "dem/block/model.hpp"
 
 #include <limits>

@@ -4,8 +4,8 @@
 #include "app/input/prepared_study.hpp"
 #include "app/sampling/sample_plan.hpp"
 #include "dem/scene/layout.hpp"
-#include "uq/reliability/black_box.hpp"
-#include "uq/reliability/limit_state.hpp"
+#include "uq/reliability/limit_state/black_box.hpp"
+#include "uq/reliability/limit_state/limit_state.hpp"
 
 #include <string>
 

@@ -3,7 +3,7 @@
 
 #include "app/report/report_film.hpp"
 #include "app/store/store_row.hpp"
-#include "dem/scene/mechanism.hpp"
+#include "dem/scene/mechanism/mechanism.hpp"
 
 #include <cstdint>
 #include <map>

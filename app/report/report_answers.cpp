@@ -1,4 +1,4 @@
-#include "app/fragility/answer_table.hpp"
+#include "app/fragility/numbers/answer_table.hpp"
 #include "app/report/report_parts.hpp"
 #include "app/text/json_text.hpp"
 

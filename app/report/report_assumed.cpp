@@ -1,9 +1,9 @@
 #include "app/report/report_parts.hpp"
 
-#include "app/input/distribution_text.hpp"
-#include "app/input/key_values.hpp"
-#include "app/input/study_keys.hpp"
-#include "app/study/limit_choices.hpp"
+#include "app/input/keys/key_values.hpp"
+#include "app/input/keys/study_keys.hpp"
+#include "app/input/study/distribution_text.hpp"
+#include "app/study/answers/limit_choices.hpp"
 #include "app/text/number_text.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 /// Which walls of a study a page has room for.
 
-#include "app/study/study_walls.hpp"
+#include "app/study/stored/study_walls.hpp"
 
 #include <cstddef>
 #include <vector>

@@ -3,7 +3,7 @@
 #include "app/fragility/fragility_means.hpp"
 #include "app/report/report_bytes.hpp"
 #include "app/text/json_text.hpp"
-#include "fragility/resampled_curve.hpp"
+#include "fragility/curve/resampled_curve.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include "app/fragility/fragility_cycles.hpp"
 #include "app/fragility/fragility_means.hpp"
 #include "app/report/report_bytes.hpp"
-#include "app/study/wall_frames.hpp"
+#include "app/study/pushed/wall_frames.hpp"
 #include "app/text/json_text.hpp"
 
 #include <algorithm>

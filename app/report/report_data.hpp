@@ -2,7 +2,7 @@
 /// All that the page shows, as JSON. Stresses in MPa, forces in kN and displacements in mm
 /// unless a name says otherwise; numbers that are not defined are null.
 
-#include "app/fragility/drift_fits.hpp"
+#include "app/fragility/numbers/drift_fits.hpp"
 #include "app/report/report_replay.hpp"
 
 #include <nlohmann/json_fwd.hpp>

@@ -2,7 +2,7 @@
 
 #include "app/report/report_bytes.hpp"
 #include "app/text/json_text.hpp"
-#include "dem/scene/polygon.hpp"
+#include "dem/scene/geometry/polygon.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 #pragma once
 /// The motion of a wall, small enough that a page carries hundreds of them.
 
+#include "dem/scene/geometry/snapshot.hpp"
 #include "dem/scene/layout.hpp"
-#include "dem/scene/snapshot.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

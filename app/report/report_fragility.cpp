@@ -1,16 +1,16 @@
 #include "app/report/report_parts.hpp"
 
 #include "app/fragility/fragility_curves.hpp"
-#include "app/study/fragility_text.hpp"
-#include "app/study/mode_share.hpp"
+#include "app/study/answers/fragility_text.hpp"
+#include "app/study/answers/mode_share.hpp"
 #include "app/text/json_text.hpp"
 #include "app/text/number_text.hpp"
 #include "core/interval.hpp"
-#include "fragility/equal_modes.hpp"
-#include "fragility/fragility_curve.hpp"
-#include "fragility/kaplan_meier.hpp"
-#include "fragility/mode_lack_of_fit.hpp"
-#include "fragility/mode_model.hpp"
+#include "fragility/fits/kaplan_meier.hpp"
+#include "fragility/limits/fragility_curve.hpp"
+#include "fragility/modes/equal_modes.hpp"
+#include "fragility/modes/mode_lack_of_fit.hpp"
+#include "fragility/modes/mode_model.hpp"
 
 #include <algorithm>
 #include <cmath>

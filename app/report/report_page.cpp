@@ -1,6 +1,6 @@
 #include "app/report/report_page.hpp"
 
-#include "app/output/markup.hpp"
+#include "app/output/picture/markup.hpp"
 #include "app/report/report_assets.hpp"
 #include "app/report/report_bytes.hpp"
 #include "app/text/json_text.hpp"

@@ -1,10 +1,10 @@
 #pragma once
 /// The parts of the page that report_data() puts together.
 
-#include "app/fragility/fragility_data.hpp"
-#include "app/output/table.hpp"
+#include "app/fragility/numbers/fragility_data.hpp"
+#include "app/output/table/table.hpp"
 #include "app/report/report_choice.hpp"
-#include "app/study/study_walls.hpp"
+#include "app/study/stored/study_walls.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

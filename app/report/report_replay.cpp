@@ -1,9 +1,9 @@
 #include "app/report/report_replay.hpp"
 
-#include "app/input/units.hpp"
-#include "app/study/interrupt.hpp"
+#include "app/input/study/units.hpp"
 #include "app/study/push_layouts.hpp"
-#include "app/study/wall_frames.hpp"
+#include "app/study/pushed/interrupt.hpp"
+#include "app/study/pushed/wall_frames.hpp"
 #include "dem/scene/layout.hpp"
 
 #include <stdexcept>

@@ -2,7 +2,7 @@
 /// The page of a study whose walls were shaken: films, pictures and tables of its fragility, in
 /// one HTML file without script.
 
-#include "app/fragility/fragility_output.hpp"
+#include "app/fragility/numbers/fragility_output.hpp"
 #include "app/input/command.hpp"
 
 #include <span>

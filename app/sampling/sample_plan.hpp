@@ -1,7 +1,7 @@
 #pragma once
 /// From a study to the random values of each of its walls.
 
-#include "app/input/study.hpp"
+#include "app/input/study/study.hpp"
 #include "app/sampling/wall_draw.hpp"
 #include "uq/fields/field_site.hpp"
 #include "uq/fields/spatial_sample.hpp"

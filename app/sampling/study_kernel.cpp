@@ -1,6 +1,6 @@
 #include "app/sampling/study_kernel.hpp"
 
-#include "app/input/study.hpp"
+#include "app/input/study/study.hpp"
 
 namespace app {
 namespace {

@@ -1,8 +1,8 @@
 #include "app/sampling/study_rows.hpp"
 
-#include "app/input/distribution_text.hpp"
-#include "app/input/key_values.hpp"
-#include "app/input/study_keys.hpp"
+#include "app/input/keys/key_values.hpp"
+#include "app/input/keys/study_keys.hpp"
+#include "app/input/study/distribution_text.hpp"
 #include "app/sampling/study_dependence.hpp"
 #include "app/text/words.hpp"
 

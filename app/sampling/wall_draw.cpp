@@ -1,8 +1,8 @@
 #include "app/sampling/wall_draw.hpp"
 
-#include "app/input/key_values.hpp"
-#include "app/input/study_keys.hpp"
-#include "app/input/units.hpp"
+#include "app/input/keys/key_values.hpp"
+#include "app/input/keys/study_keys.hpp"
+#include "app/input/study/units.hpp"
 #include "app/text/number_text.hpp"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 /// The random values of one wall, and the wall that they make.
 
-#include "app/input/study.hpp"
+#include "app/input/study/study.hpp"
 #include "dem/scene/layout.hpp"
 
 #include <span>
@@ -31,11 +31,11 @@ struct WantedWall {
 /// The draw with these values, one after the other.
 /// @param sites as sites_of
 /// @param values in SI
-/// @throws BadValue (app/input/units.hpp) if there are more or fewer
+/// @throws BadValue (app/input/study/units.hpp) if there are more or fewer
 [[nodiscard]] WallDraw draw_of(std::span<const int> sites, std::span<const double> values);
 
 /// The same draw, each of whose values must lie in the range of its key.
-/// @throws BadValue (app/input/units.hpp) naming the key
+/// @throws BadValue (app/input/study/units.hpp) naming the key
 [[nodiscard]] WallDraw checked_draw(std::span<const RandomInput> inputs,
                                     std::span<const int> sites, std::span<const double> values);
 

@@ -1,7 +1,7 @@
 #include "app/scene/law_picture.hpp"
 
-#include "app/output/chart_svg.hpp"
-#include "app/output/svg_elements.hpp"
+#include "app/output/picture/chart_svg.hpp"
+#include "app/output/picture/svg_elements.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/solver/law_path.hpp"
 

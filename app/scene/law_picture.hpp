@@ -1,9 +1,9 @@
 #pragma once
 /// Picture of the laws that the contacts of a wall follow, each drawn by moving one contact.
 
-#include "app/input/parameters.hpp"
+#include "app/input/study/parameters.hpp"
 #include "dem/scene/layout.hpp"
-#include "dem/solver/solver_options.hpp"
+#include "dem/solver/state/solver_options.hpp"
 
 #include <string>
 

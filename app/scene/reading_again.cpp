@@ -1,8 +1,8 @@
 #include "app/scene/reading_again.hpp"
 
-#include "app/drawing/raw_drawing.hpp"
-#include "app/input/study.hpp"
-#include "app/input/wall_geometry.hpp"
+#include "app/drawing/outlines/raw_drawing.hpp"
+#include "app/input/study/study.hpp"
+#include "app/input/wall/wall_geometry.hpp"
 #include "app/text/number_text.hpp"
 
 #include <algorithm>

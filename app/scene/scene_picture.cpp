@@ -1,10 +1,10 @@
 #include "app/scene/scene_picture.hpp"
 
-#include "app/output/svg_elements.hpp"
-#include "app/output/wall_body.hpp"
-#include "app/output/wall_view.hpp"
+#include "app/output/picture/svg_elements.hpp"
+#include "app/output/picture/wall_body.hpp"
+#include "app/output/picture/wall_view.hpp"
 #include "app/text/number_text.hpp"
-#include "dem/scene/polygon.hpp"
+#include "dem/scene/geometry/polygon.hpp"
 #include "dem/scene/touching.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 /// Picture of a wall before anything is computed: what the program understood.
 
-#include "app/drawing/drawing.hpp"
+#include "app/drawing/outlines/drawing.hpp"
 #include "dem/scene/layout.hpp"
 
 #include <span>

@@ -1,7 +1,7 @@
 #include "app/scene/scene_units.hpp"
 
-#include "app/input/study.hpp"
-#include "app/input/wall_geometry.hpp"
+#include "app/input/study/study.hpp"
+#include "app/input/wall/wall_geometry.hpp"
 #include "dem/scene/touching.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 /// The units of a wall, whole even where potential cracks part them.
 
-#include "app/drawing/drawing.hpp"
+#include "app/drawing/outlines/drawing.hpp"
 #include "dem/scene/layout.hpp"
 
 #include <vector>

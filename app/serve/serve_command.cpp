@@ -2,12 +2,12 @@
 #include "app/input/study_reading.hpp"
 
 #include "app/input/key_effects.hpp"
-#include "app/output/markup.hpp"
+#include "app/output/picture/markup.hpp"
 #include "app/serve/http_server.hpp"
 #include "app/serve/served_surrogate.hpp"
 #include "app/serve/served_walls.hpp"
 #include "app/serve/wall_queue.hpp"
-#include "app/study/interrupt.hpp"
+#include "app/study/pushed/interrupt.hpp"
 #include "app/text/config_error.hpp"
 #include "dem/block/model.hpp"
 

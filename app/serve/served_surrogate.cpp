@@ -1,10 +1,10 @@
 #include "app/serve/served_surrogate.hpp"
 
-#include "app/input/study_keys.hpp"
-#include "app/input/units.hpp"
+#include "app/input/keys/study_keys.hpp"
+#include "app/input/study/units.hpp"
 #include "app/reading/wall_numbers.hpp"
 #include "app/serve/served_walls.hpp"
-#include "app/study/stress_text.hpp"
+#include "app/study/stored/stress_text.hpp"
 #include "app/surrogate/surrogate_data.hpp"
 #include "app/text/config_error.hpp"
 

@@ -5,7 +5,7 @@
 #include "app/input/command.hpp"
 #include "app/input/prepared_study.hpp"
 #include "app/serve/umbridge.hpp"
-#include "app/study/pushed_wall.hpp"
+#include "app/study/pushed/pushed_wall.hpp"
 
 #include <functional>
 #include <string>

@@ -1,6 +1,6 @@
 #include "app/serve/umbridge.hpp"
 
-#include "app/input/units.hpp"
+#include "app/input/study/units.hpp"
 #include "app/text/json_text.hpp"
 
 #include <algorithm>

@@ -22,7 +22,7 @@ struct ServedModel {
     /// Called from any thread.
     /// @param x one number per input, finite
     /// @return one number per output, finite
-    /// @throws BadValue (app/input/units.hpp) if x is not an input of the model,
+    /// @throws BadValue (app/input/study/units.hpp) if x is not an input of the model,
     /// std::runtime_error if there is no answer
     std::function<std::vector<double>(std::span<const double> x)> evaluate;
 };

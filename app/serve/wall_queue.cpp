@@ -1,7 +1,7 @@
 #include "app/serve/wall_queue.hpp"
 
-#include "app/study/interrupt.hpp"
-#include "app/study/wall_frames.hpp"
+#include "app/study/pushed/interrupt.hpp"
+#include "app/study/pushed/wall_frames.hpp"
 
 #include <chrono>
 #include <limits>

@@ -2,7 +2,7 @@
 /// Walls that are asked for one by one, from many threads, and pushed side by side in the lanes
 /// of a register.
 
-#include "app/study/push_walls.hpp"
+#include "app/study/pushed/push_walls.hpp"
 
 #include <condition_variable>
 #include <deque>

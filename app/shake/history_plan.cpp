@@ -1,13 +1,13 @@
 #include "app/shake/history_plan.hpp"
 
-#include "app/input/random_layouts.hpp"
 #include "app/input/study_reading.hpp"
+#include "app/input/wall/random_layouts.hpp"
 #include "app/shake/history_row.hpp"
 #include "app/store/store_reader.hpp"
-#include "app/study/history_names.hpp"
-#include "app/study/study_columns.hpp"
-#include "app/study/study_file_head.hpp"
-#include "app/study/study_identity.hpp"
+#include "app/study/stored/history_names.hpp"
+#include "app/study/stored/study_columns.hpp"
+#include "app/study/stored/study_file_head.hpp"
+#include "app/study/stored/study_identity.hpp"
 #include "app/text/check_sum.hpp"
 #include "app/text/words.hpp"
 

@@ -1,9 +1,9 @@
 #include "app/shake/history_row.hpp"
 
 #include "app/shake/shake_files.hpp"
-#include "app/study/history_names.hpp"
-#include "dem/scene/mechanism.hpp"
-#include "fragility/drift.hpp"
+#include "app/study/stored/history_names.hpp"
+#include "dem/scene/mechanism/mechanism.hpp"
+#include "fragility/curve/drift.hpp"
 #include "ground/intensity.hpp"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "app/sampling/sample_plan.hpp"
 #include "app/shake/history_plan.hpp"
 #include "app/shake/shake_wall.hpp"
-#include "app/study/stored_histories.hpp"
+#include "app/study/stored/stored_histories.hpp"
 
 #include <filesystem>
 

@@ -1,13 +1,13 @@
 #include "app/shake/shake_files.hpp"
 
-#include "app/output/chart_svg.hpp"
 #include "app/output/energy_json.hpp"
+#include "app/output/picture/chart_svg.hpp"
 #include "app/program_version.hpp"
 #include "app/text/json_text.hpp"
 #include "app/text/number_text.hpp"
 #include "app/version.hpp"
 #include "dem/solver/solver_revision.hpp"
-#include "fragility/drift.hpp"
+#include "fragility/curve/drift.hpp"
 #include "ground/motion_facts.hpp"
 #include "ground/record.hpp"
 

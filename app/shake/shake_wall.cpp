@@ -1,6 +1,6 @@
 #include "app/shake/shake_wall.hpp"
 
-#include "app/input/random_layouts.hpp"
+#include "app/input/wall/random_layouts.hpp"
 #include "app/text/config_error.hpp"
 #include "dem/block/model.hpp"
 #include "dem/shaking/shake_ensemble.hpp"

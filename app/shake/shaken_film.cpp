@@ -1,6 +1,6 @@
 #include "app/shake/shaken_film.hpp"
 
-#include "app/output/film_svg.hpp"
+#include "app/output/picture/film_svg.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,7 +1,7 @@
 #pragma once
 /// film.svg of a wall on ground that moves.
 
-#include "app/output/wall_body.hpp"
+#include "app/output/picture/wall_body.hpp"
 #include "app/shake/shake_files.hpp"
 
 #include <string>

@@ -1,7 +1,7 @@
 #include "app/shake/shaking_motions.hpp"
 
-#include "app/input/study.hpp"
-#include "app/input/units.hpp"
+#include "app/input/study/study.hpp"
+#include "app/input/study/units.hpp"
 #include "app/text/number_text.hpp"
 #include "app/text/words.hpp"
 #include "ground/intensity.hpp"

@@ -1,6 +1,6 @@
 #include "app/sheet/sheet_page.hpp"
 
-#include "app/output/svg_elements.hpp"
+#include "app/output/picture/svg_elements.hpp"
 #include "app/text/number_text.hpp"
 
 #include <algorithm>

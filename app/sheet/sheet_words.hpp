@@ -2,8 +2,8 @@
 /// Words of a sheet: the answer, what was assumed and how much it matters, how sure the answer
 /// is.
 
-#include "app/study/pushed_wall.hpp"
-#include "app/study/study_walls.hpp"
+#include "app/study/pushed/pushed_wall.hpp"
+#include "app/study/stored/study_walls.hpp"
 
 #include <string>
 #include <vector>

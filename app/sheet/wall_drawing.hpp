@@ -1,7 +1,7 @@
 #pragma once
 /// The wall as it is built, small: stones, lintels, ground, length and height.
 
-#include "app/drawing/drawing.hpp"
+#include "app/drawing/outlines/drawing.hpp"
 
 #include <span>
 #include <string>

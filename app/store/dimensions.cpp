@@ -1,6 +1,6 @@
 #include "app/store/dimensions.hpp"
 
-#include "app/store/hdf5_dataset.hpp"
+#include "app/store/hdf5/hdf5_dataset.hpp"
 
 #include <hdf5_hl.h>
 

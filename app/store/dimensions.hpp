@@ -2,7 +2,7 @@
 /// Names for the dimensions of all datasets of a study's file, as HDF5's dimension scales and
 /// netCDF-4 have them, so that xarray, ncdf4 and others see tables with named axes.
 
-#include "app/store/hdf5_file.hpp"
+#include "app/store/hdf5/hdf5_file.hpp"
 #include "app/store/store_head.hpp"
 
 #include <cstdint>

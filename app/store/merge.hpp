@@ -1,7 +1,7 @@
 #pragma once
 /// Shards of one study into one file.
 
-#include "app/store/store_error.hpp"
+#include "app/store/hdf5/store_error.hpp"
 #include "app/store/store_row.hpp"
 
 #include <filesystem>

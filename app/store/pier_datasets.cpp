@@ -1,6 +1,6 @@
 #include "app/store/pier_datasets.hpp"
 
-#include "app/store/store_error.hpp"
+#include "app/store/hdf5/store_error.hpp"
 
 #include <array>
 #include <sstream>

@@ -2,7 +2,7 @@
 /// The datasets of a wall file that hold piers and spandrels, in the groups /piers and
 /// /spandrels: one row per wall, or per point of a curve, and one column per pier.
 
-#include "app/store/hdf5_dataset.hpp"
+#include "app/store/hdf5/hdf5_dataset.hpp"
 #include "app/store/store_head.hpp"
 #include "app/store/store_row.hpp"
 

@@ -1,7 +1,7 @@
 #include "app/store/store.hpp"
 
-#include "app/store/file_lock.hpp"
-#include "app/store/store_disk.hpp"
+#include "app/store/hdf5/file_lock.hpp"
+#include "app/store/hdf5/store_disk.hpp"
 
 #include <algorithm>
 #include <map>

@@ -4,8 +4,8 @@
 /// then renamed, so that a kill at any moment loses at most the walls of the append() in
 /// flight. Layout and guarantees: docs/store.md.
 
-#include "app/store/file_lock.hpp"
-#include "app/store/store_error.hpp"
+#include "app/store/hdf5/file_lock.hpp"
+#include "app/store/hdf5/store_error.hpp"
 #include "app/store/store_head.hpp"
 #include "app/store/store_parts.hpp"
 #include "app/store/store_reader.hpp"

@@ -1,6 +1,6 @@
 #include "app/store/store_head.hpp"
 
-#include "app/store/store_error.hpp"
+#include "app/store/hdf5/store_error.hpp"
 
 #include <algorithm>
 #include <cmath>

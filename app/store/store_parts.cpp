@@ -1,7 +1,7 @@
 #include "app/store/store_parts.hpp"
 
-#include "app/store/store_disk.hpp"
-#include "app/store/store_error.hpp"
+#include "app/store/hdf5/store_disk.hpp"
+#include "app/store/hdf5/store_error.hpp"
 
 #include <algorithm>
 #include <cerrno>

@@ -1,7 +1,7 @@
 #pragma once
 /// Reads a stored study: FILE.h5 and the parts beside it, changing neither.
 
-#include "app/store/store_error.hpp"
+#include "app/store/hdf5/store_error.hpp"
 #include "app/store/store_head.hpp"
 #include "app/store/store_row.hpp"
 #include "app/store/wall_file.hpp"

@@ -1,8 +1,8 @@
 #include "app/store/stored_head.hpp"
 
-#include "app/store/hdf5_dataset.hpp"
+#include "app/store/hdf5/hdf5_dataset.hpp"
+#include "app/store/hdf5/store_error.hpp"
 #include "app/store/pier_datasets.hpp"
-#include "app/store/store_error.hpp"
 
 #include <sstream>
 #include <stdexcept>

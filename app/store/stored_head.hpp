@@ -1,7 +1,7 @@
 #pragma once
 /// The head of a study in its HDF5 file.
 
-#include "app/store/hdf5_file.hpp"
+#include "app/store/hdf5/hdf5_file.hpp"
 #include "app/store/store_head.hpp"
 
 namespace app {

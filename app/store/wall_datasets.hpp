@@ -1,7 +1,7 @@
 #pragma once
 /// The datasets of a wall file with one row per wall, or per point of a curve.
 
-#include "app/store/hdf5_dataset.hpp"
+#include "app/store/hdf5/hdf5_dataset.hpp"
 #include "app/store/pier_datasets.hpp"
 #include "app/store/store_head.hpp"
 #include "app/store/store_row.hpp"

@@ -1,8 +1,8 @@
 #include "app/store/wall_file.hpp"
 
 #include "app/store/dimensions.hpp"
-#include "app/store/store_disk.hpp"
-#include "app/store/store_error.hpp"
+#include "app/store/hdf5/store_disk.hpp"
+#include "app/store/hdf5/store_error.hpp"
 #include "app/store/stored_head.hpp"
 #include "app/store/wall_datasets.hpp"
 

@@ -3,7 +3,7 @@
 #include "app/output/atomic_output.hpp"
 #include "app/output/replaced_file.hpp"
 #include "app/store/store_reader.hpp"
-#include "app/study/study_file_head.hpp"
+#include "app/study/stored/study_file_head.hpp"
 #include "app/text/number_text.hpp"
 
 #include <cmath>

@@ -1,11 +1,11 @@
 #include "app/commands.hpp"
 
 #include "app/output/atomic_output.hpp"
-#include "app/output/markup.hpp"
+#include "app/output/picture/markup.hpp"
 #include "app/store/merge.hpp"
 #include "app/store/store_reader.hpp"
-#include "app/study/history_names.hpp"
-#include "app/study/history_summary.hpp"
+#include "app/study/stored/history_names.hpp"
+#include "app/study/stored/history_summary.hpp"
 #include "app/study/study_summary.hpp"
 
 #include <filesystem>

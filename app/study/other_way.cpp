@@ -1,9 +1,9 @@
 #include "app/study/other_way.hpp"
 
 #include "app/input/prepared_study.hpp"
-#include "app/input/random_layouts.hpp"
-#include "app/study/interrupt.hpp"
-#include "app/study/push_walls.hpp"
+#include "app/input/wall/random_layouts.hpp"
+#include "app/study/pushed/interrupt.hpp"
+#include "app/study/pushed/push_walls.hpp"
 #include "dem/block/contact_count.hpp"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 /// The push the other way: walls that are not symmetric carry less in it, or more.
 
 #include "app/sampling/wall_draw.hpp"
-#include "app/study/both_ways.hpp"
-#include "app/study/pushed_wall.hpp"
+#include "app/study/pushed/both_ways.hpp"
+#include "app/study/pushed/pushed_wall.hpp"
 #include "dem/block/model.hpp"
 
 #include <functional>

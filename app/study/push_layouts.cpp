@@ -1,6 +1,6 @@
 #include "app/study/push_layouts.hpp"
 
-#include "app/input/random_layouts.hpp"
+#include "app/input/wall/random_layouts.hpp"
 #include "dem/block/model.hpp"
 
 #include <algorithm>

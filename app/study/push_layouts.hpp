@@ -3,7 +3,7 @@
 /// together.
 
 #include "app/input/prepared_study.hpp"
-#include "app/study/push_walls.hpp"
+#include "app/study/pushed/push_walls.hpp"
 
 #include <cstddef>
 #include <cstdint>

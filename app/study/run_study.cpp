@@ -1,15 +1,15 @@
 #include "app/study/run_study.hpp"
 
-#include "app/input/random_layouts.hpp"
+#include "app/input/wall/random_layouts.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/output/replaced_file.hpp"
-#include "app/output/table_files.hpp"
+#include "app/output/table/table_files.hpp"
 #include "app/store/store_reader.hpp"
-#include "app/study/interrupt.hpp"
-#include "app/study/provenance.hpp"
-#include "app/study/study_file_head.hpp"
+#include "app/study/pushed/interrupt.hpp"
+#include "app/study/stored/provenance.hpp"
+#include "app/study/stored/study_file_head.hpp"
+#include "app/study/stored/study_walls.hpp"
 #include "app/study/study_stopping.hpp"
-#include "app/study/study_walls.hpp"
 
 #include <cstdint>
 #include <tuple>

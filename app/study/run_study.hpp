@@ -2,9 +2,9 @@
 /// All walls of a study into one file, whoever asks for it.
 
 #include "app/input/command.hpp"
+#include "app/study/pushed/wall_frames.hpp"
 #include "app/study/study_runner.hpp"
 #include "app/study/study_summary.hpp"
-#include "app/study/wall_frames.hpp"
 
 #include <filesystem>
 #include <functional>

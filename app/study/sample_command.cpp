@@ -1,14 +1,14 @@
 #include "app/commands.hpp"
 
 #include "app/input/key_effects.hpp"
-#include "app/input/random_layouts.hpp"
-#include "app/input/units.hpp"
+#include "app/input/study/units.hpp"
+#include "app/input/wall/random_layouts.hpp"
 #include "app/output/atomic_output.hpp"
-#include "app/output/cells.hpp"
 #include "app/output/replaced_file.hpp"
+#include "app/output/table/cells.hpp"
 #include "app/sampling/sample_plan.hpp"
-#include "app/study/study_columns.hpp"
-#include "app/study/wanted_walls.hpp"
+#include "app/study/stored/study_columns.hpp"
+#include "app/study/stored/wanted_walls.hpp"
 
 #include <filesystem>
 #include <iostream>

@@ -1,12 +1,12 @@
 #include "app/commands.hpp"
 
-#include "app/output/cells.hpp"
-#include "app/output/markup.hpp"
-#include "app/output/table.hpp"
+#include "app/output/picture/markup.hpp"
+#include "app/output/table/cells.hpp"
+#include "app/output/table/table.hpp"
 #include "app/store/store_parts.hpp"
 #include "app/store/store_reader.hpp"
-#include "app/study/history_names.hpp"
-#include "app/study/study_file_head.hpp"
+#include "app/study/stored/history_names.hpp"
+#include "app/study/stored/study_file_head.hpp"
 #include "app/text/number_text.hpp"
 #include "app/text/words.hpp"
 

@@ -2,13 +2,13 @@
 
 #include "app/input/key_effects.hpp"
 #include "app/input/study_reading.hpp"
-#include "app/output/markup.hpp"
+#include "app/output/picture/markup.hpp"
 #include "app/output/progress.hpp"
-#include "app/study/interrupt.hpp"
+#include "app/study/pushed/interrupt.hpp"
 #include "app/study/run_study.hpp"
 #include "app/study/shard_file.hpp"
 #include "app/study/slurm_command.hpp"
-#include "app/study/study_file_head.hpp"
+#include "app/study/stored/study_file_head.hpp"
 #include "app/text/number_text.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 /// `drystone study`: all walls of a study into one file.
 
 #include "app/input/command.hpp"
-#include "app/study/wall_frames.hpp"
+#include "app/study/pushed/wall_frames.hpp"
 
 namespace app {
 

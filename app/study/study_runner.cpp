@@ -1,11 +1,11 @@
 #include "app/study/study_runner.hpp"
 
-#include "app/input/random_layouts.hpp"
-#include "app/study/pier_columns.hpp"
+#include "app/input/wall/random_layouts.hpp"
 #include "app/study/push_layouts.hpp"
-#include "app/study/row_buffer.hpp"
-#include "app/study/study_columns.hpp"
-#include "app/study/study_file_head.hpp"
+#include "app/study/pushed/pier_columns.hpp"
+#include "app/study/pushed/row_buffer.hpp"
+#include "app/study/stored/study_columns.hpp"
+#include "app/study/stored/study_file_head.hpp"
 #include "dem/solver/slower.hpp"
 
 #include <utility>

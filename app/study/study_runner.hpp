@@ -5,7 +5,7 @@
 #include "app/input/prepared_study.hpp"
 #include "app/sampling/sample_plan.hpp"
 #include "app/store/store.hpp"
-#include "app/study/wall_frames.hpp"
+#include "app/study/pushed/wall_frames.hpp"
 
 #include <cstddef>
 #include <functional>

@@ -2,7 +2,7 @@
 
 #include "app/reading/wall_numbers.hpp"
 #include "app/text/number_text.hpp"
-#include "fragility/observed_quantile.hpp"
+#include "fragility/fits/observed_quantile.hpp"
 #include "uq/estimates/stopping.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 /// How many samples are enough: the stopping rule of a study.
 
-#include "app/study/study_walls.hpp"
+#include "app/study/stored/study_walls.hpp"
 
 #include <cstdint>
 #include <string>

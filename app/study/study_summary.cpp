@@ -1,15 +1,15 @@
 #include "app/study/study_summary.hpp"
 
-#include "app/output/cells.hpp"
-#include "app/study/fragility_text.hpp"
-#include "app/study/limit_choices.hpp"
-#include "app/study/mean_cells.hpp"
-#include "app/study/mode_rule.hpp"
-#include "app/study/mode_share.hpp"
-#include "app/study/number_cells.hpp"
-#include "app/study/pier_shares.hpp"
-#include "app/study/solver_error.hpp"
-#include "app/study/turned_walls.hpp"
+#include "app/output/table/cells.hpp"
+#include "app/study/answers/fragility_text.hpp"
+#include "app/study/answers/limit_choices.hpp"
+#include "app/study/answers/mean_cells.hpp"
+#include "app/study/answers/mode_rule.hpp"
+#include "app/study/answers/mode_share.hpp"
+#include "app/study/answers/number_cells.hpp"
+#include "app/study/answers/pier_shares.hpp"
+#include "app/study/answers/solver_error.hpp"
+#include "app/study/stored/turned_walls.hpp"
 
 #include <string>
 #include <vector>

@@ -1,8 +1,8 @@
 #pragma once
 /// Findings of a study, at a glance: one row per stress level.
 
-#include "app/output/table.hpp"
-#include "app/study/study_walls.hpp"
+#include "app/output/table/table.hpp"
+#include "app/study/stored/study_walls.hpp"
 
 #include <cstddef>
 #include <string>

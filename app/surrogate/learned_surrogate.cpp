@@ -1,8 +1,8 @@
 #include "app/surrogate/learned_surrogate.hpp"
 
-#include "app/input/key_values.hpp"
-#include "app/input/units.hpp"
-#include "app/study/stress_text.hpp"
+#include "app/input/keys/key_values.hpp"
+#include "app/input/study/units.hpp"
+#include "app/study/stored/stress_text.hpp"
 #include "app/surrogate/surrogate_output.hpp"
 #include "app/text/config_error.hpp"
 #include "app/text/json_text.hpp"

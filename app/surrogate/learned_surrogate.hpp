@@ -1,7 +1,7 @@
 #pragma once
 /// A surrogate that was kept in a file: walls that were never run.
 
-#include "fragility/mode_model.hpp"
+#include "fragility/modes/mode_model.hpp"
 #include "uq/marginals/marginal.hpp"
 #include "uq/surrogates/gaussian_process.hpp"
 #include "uq/surrogates/polynomial_chaos.hpp"

@@ -2,9 +2,9 @@
 /// How likely each failure mode is on a wall that was never run: a multinomial logit in the
 /// coordinates of the inputs.
 
-#include "app/study/study_walls.hpp"
+#include "app/study/stored/study_walls.hpp"
 #include "app/surrogate/surrogate_data.hpp"
-#include "fragility/mode_model.hpp"
+#include "fragility/modes/mode_model.hpp"
 
 #include <Eigen/Core>
 

@@ -1,10 +1,10 @@
 #include "app/commands.hpp"
 
-#include "app/output/markup.hpp"
+#include "app/output/picture/markup.hpp"
 #include "app/output/result_folder.hpp"
-#include "app/output/table_files.hpp"
-#include "app/study/fragility_text.hpp"
-#include "app/study/study_file_head.hpp"
+#include "app/output/table/table_files.hpp"
+#include "app/study/answers/fragility_text.hpp"
+#include "app/study/stored/study_file_head.hpp"
 #include "app/surrogate/surrogate_output.hpp"
 
 #include <iostream>

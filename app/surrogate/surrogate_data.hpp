@@ -2,7 +2,7 @@
 /// Walls of a stored study as points of a surrogate: random values and one response.
 
 #include "app/reading/wall_numbers.hpp"
-#include "app/study/study_walls.hpp"
+#include "app/study/stored/study_walls.hpp"
 
 #include <Eigen/Core>
 

@@ -1,4 +1,4 @@
-#include "app/input/study_file.hpp"
+#include "app/input/study/study_file.hpp"
 #include "app/surrogate/surrogate_output.hpp"
 #include "app/text/check_sum.hpp"
 #include "app/text/json_text.hpp"

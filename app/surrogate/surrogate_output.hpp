@@ -1,7 +1,7 @@
 #pragma once
 /// Files and words of the verb surrogate.
 
-#include "app/output/table.hpp"
+#include "app/output/table/table.hpp"
 #include "app/surrogate/mode_surrogate.hpp"
 #include "app/surrogate/surrogate_fit.hpp"
 

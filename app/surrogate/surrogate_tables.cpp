@@ -1,5 +1,5 @@
-#include "app/output/cells.hpp"
-#include "app/output/chart_svg.hpp"
+#include "app/output/picture/chart_svg.hpp"
+#include "app/output/table/cells.hpp"
 #include "app/surrogate/surrogate_output.hpp"
 #include "app/text/number_text.hpp"
 #include "app/text/words.hpp"

@@ -1,11 +1,11 @@
 /// Active learning against limit states of known probability and against walls; bench/active.sh
-/// runs it and writes docs/bench/active.md and active_walls.md.
+/// runs it and writes docs/bench/uq/active.md and active_walls.md.
 
 #include "bench/active/problems.hpp"
 #include "bench/active/walls.hpp"
 #include "bench/report.hpp"
 
-#include "uq/reliability/active_learning.hpp"
+#include "uq/reliability/active/active_learning.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -99,7 +99,7 @@ app::Table problem_table(int runs)
 /// Opens both pages.
 const std::string kOpening =
     "`reliability.method = active` "
-    "([theory](../theory.md#11-reliability)); `bash bench/active.sh`. ";
+    "([theory](../../theory.md#11-reliability)); `bash bench/active.sh`. ";
 
 void write_problems(const std::string& path, int runs)
 {

@@ -1,8 +1,8 @@
 #include "bench/active/problems.hpp"
 
 #include "core/normal.hpp"
+#include "tests/uq/reliability/reliability_problems.hpp"
 #include "uq/designs/sobol.hpp"
-#include "uq/reliability_problems.hpp"
 
 #include <algorithm>
 #include <cmath>

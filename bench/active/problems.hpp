@@ -1,7 +1,7 @@
 #pragma once
 /// Limit states with known probabilities, for active learning.
 
-#include "uq/reliability/limit_state.hpp"
+#include "uq/reliability/limit_state/limit_state.hpp"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 /// Small probabilities of walls, by active learning and by subset simulation.
 
-#include "app/output/table.hpp"
+#include "app/output/table/table.hpp"
 
 #include <functional>
 

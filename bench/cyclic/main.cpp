@@ -6,7 +6,7 @@
 
 #include "app/fragility/fragility_cycles.hpp"
 #include "app/output/atomic_output.hpp"
-#include "app/output/markup.hpp"
+#include "app/output/picture/markup.hpp"
 #include "bench/cyclic/single_walls.hpp"
 #include "bench/cyclic/study_tables.hpp"
 #include "bench/machine.hpp"

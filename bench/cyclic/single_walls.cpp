@@ -1,8 +1,8 @@
 #include "bench/cyclic/single_walls.hpp"
 
-#include "app/output/cells.hpp"
+#include "app/output/table/cells.hpp"
 #include "dem/block/model.hpp"
-#include "fragility/cyclic_curve.hpp"
+#include "fragility/curve/cyclic_curve.hpp"
 #include "scenes/paper_wall.hpp"
 #include "scenes/rocking_statics.hpp"
 

@@ -2,7 +2,7 @@
 /// Loops of single walls: blocks with closed forms, the speed of the drive, the cost of a
 /// protocol.
 
-#include "app/output/table.hpp"
+#include "app/output/table/table.hpp"
 
 namespace bench {
 

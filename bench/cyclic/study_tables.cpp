@@ -1,10 +1,10 @@
 #include "bench/cyclic/study_tables.hpp"
 
-#include "app/fragility/drift_fits.hpp"
-#include "app/fragility/fragility_data.hpp"
-#include "app/fragility/limit_drifts.hpp"
-#include "app/output/cells.hpp"
-#include "app/study/fragility_text.hpp"
+#include "app/fragility/numbers/drift_fits.hpp"
+#include "app/fragility/numbers/fragility_data.hpp"
+#include "app/fragility/numbers/limit_drifts.hpp"
+#include "app/output/table/cells.hpp"
+#include "app/study/answers/fragility_text.hpp"
 #include "bench/validation/cells.hpp"
 #include "uq/estimates/estimate.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 /// Two studies of the same walls, pushed one way and to and fro, side by side.
 
-#include "app/output/table.hpp"
-#include "app/study/study_walls.hpp"
+#include "app/output/table/table.hpp"
+#include "app/study/stored/study_walls.hpp"
 
 namespace bench {
 

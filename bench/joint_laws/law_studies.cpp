@@ -1,7 +1,7 @@
 #include "bench/joint_laws/law_studies.hpp"
 
 #include "app/store/store_reader.hpp"
-#include "app/study/study_columns.hpp"
+#include "app/study/stored/study_columns.hpp"
 
 #include <algorithm>
 #include <cmath>

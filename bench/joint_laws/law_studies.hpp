@@ -1,8 +1,8 @@
 #pragma once
 /// Studies that bench/joint_laws.sh leaves, and what is read off their walls.
 
-#include "app/study/study_walls.hpp"
-#include "fragility/kaplan_meier.hpp"
+#include "app/study/stored/study_walls.hpp"
+#include "fragility/fits/kaplan_meier.hpp"
 
 #include <cstddef>
 #include <filesystem>

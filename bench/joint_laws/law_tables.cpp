@@ -1,6 +1,6 @@
 #include "bench/joint_laws/law_tables.hpp"
 
-#include "app/output/cells.hpp"
+#include "app/output/table/cells.hpp"
 #include "app/text/number_text.hpp"
 #include "bench/limit_drifts.hpp"
 #include "bench/validation/cells.hpp"

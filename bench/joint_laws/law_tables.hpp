@@ -1,7 +1,7 @@
 #pragma once
 /// Tables of docs/joint_laws.md.
 
-#include "app/output/table.hpp"
+#include "app/output/table/table.hpp"
 #include "bench/joint_laws/law_studies.hpp"
 #include "bench/joint_laws/tested_walls.hpp"
 

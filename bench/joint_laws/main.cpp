@@ -5,7 +5,7 @@
 ///   joint_laws WORK DOCS
 
 #include "app/output/atomic_output.hpp"
-#include "app/output/markup.hpp"
+#include "app/output/picture/markup.hpp"
 #include "app/text/number_text.hpp"
 #include "bench/joint_laws/findings.hpp"
 #include "bench/joint_laws/laws.hpp"

@@ -1,8 +1,8 @@
 #include "bench/joint_laws/tested_walls.hpp"
 
-#include "bench/comparison.hpp"
-#include "bench/measured_walls.hpp"
-#include "fragility/curve_reading.hpp"
+#include "bench/tested/comparison.hpp"
+#include "bench/tested/measured_walls.hpp"
+#include "fragility/curve/curve_reading.hpp"
 
 namespace bench {
 

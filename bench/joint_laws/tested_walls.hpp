@@ -20,8 +20,8 @@ struct TestedWall {
            secant_60 = 0.0; ///< where 30 and 60 % of the peak are first reached [kN/mm]
 };
 
-/// Read off the curves of bench/measured_walls.hpp. Without their folder: the numbers that were
-/// read off them before.
+/// Read off the curves of bench/tested/measured_walls.hpp. Without their folder: the numbers
+/// that were read off them before.
 /// @throws std::runtime_error if the folder or one of its files cannot be read
 [[nodiscard]] std::vector<TestedWall>
 tested_walls(const std::optional<std::filesystem::path>& curves);

@@ -1,6 +1,6 @@
 #include "bench/validation/cells.hpp"
 
-#include "app/output/cells.hpp"
+#include "app/output/table/cells.hpp"
 #include "core/binomial.hpp"
 
 namespace bench {

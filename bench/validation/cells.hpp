@@ -1,7 +1,7 @@
 #pragma once
 /// Cells of the tables: a mean or a share with its interval of 95 %.
 
-#include "app/output/table.hpp"
+#include "app/output/table/table.hpp"
 #include "bench/validation/level_statistics.hpp"
 
 namespace bench {

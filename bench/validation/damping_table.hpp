@@ -1,7 +1,7 @@
 #pragma once
 /// The paper beside our walls with its damping and with the default of the program.
 
-#include "app/output/table.hpp"
+#include "app/output/table/table.hpp"
 #include "bench/validation/level_statistics.hpp"
 
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 /// Effects of what the paper leaves open: one choice changed at a time, the same samples.
 
-#include "app/output/table.hpp"
+#include "app/output/table/table.hpp"
 #include "bench/validation/level_statistics.hpp"
 
 #include <filesystem>

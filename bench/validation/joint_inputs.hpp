@@ -1,7 +1,7 @@
 #pragma once
 /// Which input makes values per joint lower the force.
 
-#include "app/output/table.hpp"
+#include "app/output/table/table.hpp"
 #include "bench/validation/level_statistics.hpp"
 
 #include <filesystem>

@@ -1,8 +1,8 @@
 #include "bench/validation/level_statistics.hpp"
 
-#include "app/fragility/sampling_errors.hpp"
+#include "app/fragility/numbers/sampling_errors.hpp"
 #include "core/moments.hpp"
-#include "fragility/bilinear.hpp"
+#include "fragility/curve/bilinear.hpp"
 #include "uq/estimates/estimate.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 /// Statistics that the paper's tables show of one stress level, from our walls.
 
-#include "app/study/study_walls.hpp"
+#include "app/study/stored/study_walls.hpp"
 
 #include <cstddef>
 #include <filesystem>

@@ -1,10 +1,10 @@
 #include "bench/validation/mechanisms.hpp"
 
-#include "app/output/svg_elements.hpp"
-#include "app/output/wall_body.hpp"
-#include "app/output/wall_marks.hpp"
+#include "app/output/picture/svg_elements.hpp"
+#include "app/output/picture/wall_body.hpp"
+#include "app/output/picture/wall_marks.hpp"
 #include "app/push/push_until_told.hpp"
-#include "app/study/wanted_walls.hpp"
+#include "app/study/stored/wanted_walls.hpp"
 #include "app/text/number_text.hpp"
 
 #include <algorithm>

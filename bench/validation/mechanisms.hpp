@@ -1,8 +1,8 @@
 #pragma once
 /// Fig. 11: how a wall of each mode looks at the end of its push, under each stress.
 
-#include "app/fragility/fragility_output.hpp"
-#include "app/study/study_walls.hpp"
+#include "app/fragility/numbers/fragility_output.hpp"
+#include "app/study/stored/study_walls.hpp"
 
 #include <filesystem>
 

@@ -1,8 +1,8 @@
 #pragma once
 /// How much of the scatter of drops is numerical: the same walls under several discretisations.
 
-#include "app/output/table.hpp"
-#include "app/study/study_walls.hpp"
+#include "app/output/table/table.hpp"
+#include "app/study/stored/study_walls.hpp"
 
 #include <span>
 #include <string>

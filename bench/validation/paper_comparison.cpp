@@ -1,7 +1,7 @@
 #include "bench/validation/paper_comparison.hpp"
 
 #include "app/fragility/fragility_means.hpp"
-#include "app/study/fragility_text.hpp"
+#include "app/study/answers/fragility_text.hpp"
 #include "app/text/number_text.hpp"
 #include "bench/validation/cells.hpp"
 #include "bench/validation/paper_tables.hpp"

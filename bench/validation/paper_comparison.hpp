@@ -1,7 +1,7 @@
 #pragma once
 /// The paper's tables beside ours.
 
-#include "app/output/table.hpp"
+#include "app/output/table/table.hpp"
 #include "bench/validation/level_statistics.hpp"
 
 #include <string>

@@ -33,8 +33,8 @@ inline constexpr std::array kPaperLevels = {
 inline constexpr PaperLevel kPaperSpatial = {
     0.75, 100, 12, {0, 0, 63.17, 28.80}, PaperMode{0, 0, 57.29, 17.00}};
 
-/// Tests at the same stress (Lourenço et al. 2005, curves in bench/measured_walls.hpp) [kN]; 0:
-/// none.
+/// Tests at the same stress (Lourenço et al. 2005, curves in bench/tested/measured_walls.hpp)
+/// [kN]; 0: none.
 struct TestMeans {
     double stress_MPa;
     double peak_kN;

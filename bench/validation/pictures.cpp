@@ -1,7 +1,7 @@
 #include "bench/validation/pictures.hpp"
 
-#include "app/output/chart_svg.hpp"
-#include "app/study/fragility_text.hpp"
+#include "app/output/picture/chart_svg.hpp"
+#include "app/study/answers/fragility_text.hpp"
 #include "app/text/number_text.hpp"
 #include "bench/validation/paper_tables.hpp"
 #include "core/binomial.hpp"

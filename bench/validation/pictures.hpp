@@ -1,8 +1,8 @@
 #pragma once
 /// Counterparts of the paper's figures.
 
-#include "app/fragility/fragility_output.hpp"
-#include "app/study/study_walls.hpp"
+#include "app/fragility/numbers/fragility_output.hpp"
+#include "app/study/stored/study_walls.hpp"
 #include "bench/validation/level_statistics.hpp"
 
 #include <vector>

@@ -8,7 +8,7 @@
 namespace dem {
 
 /// Cost on one core of about 3 GHz, within a factor of about three
-/// (tests/dem/test_build_cost.cpp has the measurements).
+/// (tests/dem/block/test_build_cost.cpp has the measurements).
 struct BuildCost {
     double seconds = 0.0;
     double bytes = 0.0; ///< at most at a time

@@ -1,6 +1,6 @@
 #pragma once
 /// How finely a wall is resolved: contact points, zones and modes of its blocks.
-/// docs/convergence.md shows the effect.
+/// docs/bench/accuracy/convergence.md shows the effect.
 
 namespace dem {
 
@@ -18,8 +18,8 @@ struct Discretisation {
     friend bool operator==(const Discretisation&, const Discretisation&) = default;
 };
 
-/// A ladder from cheap to exact. docs/bench/paper_walls.md gives the error and cost of each
-/// rung.
+/// A ladder from cheap to exact. docs/bench/accuracy/paper_walls.md gives the error and cost of
+/// each rung.
 enum class Fidelity {
     rigid,    ///< rigid blocks
     simple,   ///< rigid motion and constant strain

@@ -3,7 +3,7 @@
 /// outline is not a rectangle.
 
 #include "dem/block/zones.hpp"
-#include "dem/scene/snapshot.hpp"
+#include "dem/scene/geometry/snapshot.hpp"
 
 #include <Eigen/Dense>
 #include <Eigen/Sparse>

@@ -3,7 +3,7 @@
 /// Zienkiewicz, Taylor (2000), The Finite Element Method, vol. 1, section 8.8. With straight
 /// sides three points integrate its stiffness exactly.
 
-#include "dem/scene/snapshot.hpp"
+#include "dem/scene/geometry/snapshot.hpp"
 #include "dem/scene/wall.hpp"
 
 #include <Eigen/Dense>

@@ -2,7 +2,7 @@
 
 #include "dem/block/triangle.hpp"
 
-#include "dem/scene/polygon.hpp"
+#include "dem/scene/geometry/polygon.hpp"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

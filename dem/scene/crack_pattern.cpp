@@ -1,8 +1,8 @@
 #include "dem/scene/crack_pattern.hpp"
 
-#include "dem/scene/clip.hpp"
+#include "dem/scene/geometry/clip.hpp"
+#include "dem/scene/geometry/site_grid.hpp"
 #include "dem/scene/piece_count.hpp"
-#include "dem/scene/site_grid.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 /// Where units may crack: the lines and cells that divide a unit into pieces.
 
-#include "dem/scene/polygon.hpp"
+#include "dem/scene/geometry/polygon.hpp"
 
 #include <vector>
 

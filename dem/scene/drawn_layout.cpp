@@ -1,7 +1,7 @@
 #include "dem/scene/drawn_layout.hpp"
 
 #include "dem/scene/cracked_layout.hpp"
-#include "dem/scene/polygon.hpp"
+#include "dem/scene/geometry/polygon.hpp"
 #include "dem/scene/touching.hpp"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 
 #include "dem/scene/bond.hpp"
 #include "dem/scene/cracked_layout.hpp"
+#include "dem/scene/geometry/polygon.hpp"
 #include "dem/scene/lintels.hpp"
-#include "dem/scene/polygon.hpp"
 #include "dem/scene/standing.hpp"
 
 #include <algorithm>

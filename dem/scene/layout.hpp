@@ -3,7 +3,7 @@
 /// IDs of joints and cracks, supports, and what the vertical load acts on. lay_out() makes it
 /// of a wall in courses, drawn_layout() of outlines from anywhere.
 
-#include "dem/scene/snapshot.hpp"
+#include "dem/scene/geometry/snapshot.hpp"
 #include "dem/scene/wall.hpp"
 
 #include <vector>

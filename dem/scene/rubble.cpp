@@ -1,7 +1,7 @@
 #include "dem/scene/rubble.hpp"
 
 #include "dem/scene/crack_pattern.hpp"
-#include "dem/scene/polygon.hpp"
+#include "dem/scene/geometry/polygon.hpp"
 
 #include <algorithm>
 #include <cmath>

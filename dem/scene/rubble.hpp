@@ -1,7 +1,7 @@
 #pragma once
 /// Walls of random rubble.
 
-#include "dem/scene/clip.hpp"
+#include "dem/scene/geometry/clip.hpp"
 
 #include <vector>
 

@@ -3,8 +3,8 @@
 #include "dem/block/model.hpp"
 #include "dem/contact/pack.hpp"
 #include "dem/shaking/shaking_start.hpp"
-#include "dem/solver/take_snapshot.hpp"
-#include "dem/solver/vertical_load.hpp"
+#include "dem/solver/state/take_snapshot.hpp"
+#include "dem/solver/step/vertical_load.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,11 +6,11 @@
 /// Verified against closed forms (docs/dynamics.md), and not validated: no open test of a
 /// dry-joint wall that is shaken in its plane is known.
 
-#include "dem/scene/snapshot.hpp"
+#include "dem/scene/geometry/snapshot.hpp"
 #include "dem/scene/wall.hpp"
 #include "dem/shaking/load_mass.hpp"
-#include "dem/solver/energy.hpp"
-#include "dem/solver/solver_options.hpp"
+#include "dem/solver/state/energy.hpp"
+#include "dem/solver/state/solver_options.hpp"
 
 #include <functional>
 #include <string_view>

@@ -1,8 +1,8 @@
 #include "dem/shaking/shaking_start.hpp"
 
-#include "dem/solver/finite_step.hpp"
 #include "dem/solver/static_start.hpp"
-#include "dem/solver/step.hpp"
+#include "dem/solver/step/finite_step.hpp"
+#include "dem/solver/step/step.hpp"
 
 #include <algorithm>
 

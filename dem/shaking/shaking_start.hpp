@@ -2,7 +2,7 @@
 /// Where a wall stands before the ground moves.
 
 #include "dem/shaking/shake.hpp"
-#include "dem/solver/wall_state.hpp"
+#include "dem/solver/state/wall_state.hpp"
 
 #include <vector>
 

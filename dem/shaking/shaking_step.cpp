@@ -2,9 +2,9 @@
 
 #include "dem/block/model.hpp"
 #include "dem/contact/pack.hpp"
-#include "dem/solver/finite_motion.hpp"
-#include "dem/solver/finite_step.hpp"
 #include "dem/solver/static_start.hpp"
+#include "dem/solver/step/finite_motion.hpp"
+#include "dem/solver/step/finite_step.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 /// motion is.
 
 #include "dem/shaking/true_masses.hpp"
-#include "dem/solver/wall_state.hpp"
+#include "dem/solver/state/wall_state.hpp"
 
 namespace dem {
 

@@ -1,7 +1,7 @@
 #include "dem/shaking/true_masses.hpp"
 
 #include "dem/block/model.hpp"
-#include "dem/solver/lane_laws.hpp"
+#include "dem/solver/state/lane_laws.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 /// are static at the frequencies of an earthquake. The step is then that of rigid blocks.
 
 #include "dem/shaking/load_mass.hpp"
-#include "dem/solver/step_tables.hpp"
+#include "dem/solver/state/step_tables.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,7 @@
 #include "dem/solver/law_path.hpp"
 
-#include "dem/solver/closing_joint.hpp"
-#include "dem/solver/crack_kernels.hpp"
+#include "dem/solver/state/closing_joint.hpp"
+#include "dem/solver/step/crack_kernels.hpp"
 
 namespace dem {
 namespace {

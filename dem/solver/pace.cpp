@@ -9,7 +9,7 @@ namespace dem {
 namespace {
 
 // Inertia and damping may take these shares of the accuracy. Both are free choices;
-// docs/bench/accuracy.md has what they hold.
+// docs/bench/accuracy/accuracy.md has what they hold.
 constexpr double kInertia = 0.1, kDamping = 0.25;
 // Local damping takes most of what rings, and drags the wall less than it takes.
 constexpr double kLocalDamping = 1.5;

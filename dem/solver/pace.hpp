@@ -9,8 +9,8 @@
 ///   accuracy the drive waits.
 /// docs/theory.md, section 4, Speed.
 
-#include "dem/solver/solver_options.hpp"
-#include "dem/solver/steady_motion.hpp"
+#include "dem/solver/state/solver_options.hpp"
+#include "dem/solver/state/steady_motion.hpp"
 
 namespace dem {
 

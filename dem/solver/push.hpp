@@ -2,11 +2,11 @@
 /// One wall: loaded vertically, then pushed to a list of target displacements. The result says
 /// how far it can be trusted (outcome, energy balance, unbalance).
 
-#include "dem/scene/snapshot.hpp"
+#include "dem/scene/geometry/snapshot.hpp"
 #include "dem/scene/wall.hpp"
-#include "dem/solver/curve_point.hpp"
-#include "dem/solver/energy.hpp"
-#include "dem/solver/solver_options.hpp"
+#include "dem/solver/state/curve_point.hpp"
+#include "dem/solver/state/energy.hpp"
+#include "dem/solver/state/solver_options.hpp"
 
 #include <array>
 #include <cstddef>

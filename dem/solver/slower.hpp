@@ -1,7 +1,7 @@
 #pragma once
 /// The same push at a lower speed, to see what the speed of the drive does to a result.
 
-#include "dem/solver/solver_options.hpp"
+#include "dem/solver/state/solver_options.hpp"
 
 namespace dem {
 

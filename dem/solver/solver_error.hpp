@@ -1,8 +1,8 @@
 #pragma once
 /// The error that the speed of a push makes, as the push itself tells it.
 
-#include "dem/solver/curve_point.hpp"
-#include "dem/solver/solver_options.hpp"
+#include "dem/solver/state/curve_point.hpp"
+#include "dem/solver/state/solver_options.hpp"
 
 #include <span>
 

@@ -1,7 +1,7 @@
 #include "dem/solver/static_start.hpp"
 
-#include "dem/solver/closing_joint.hpp"
-#include "dem/solver/elastic_operator.hpp"
+#include "dem/solver/state/closing_joint.hpp"
+#include "dem/solver/state/elastic_operator.hpp"
 
 #include <algorithm>
 #include <cmath>

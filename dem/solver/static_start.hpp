@@ -6,7 +6,7 @@
 /// equilibrium (see Drive). Where joints close under pressure, Newton's method does so again
 /// and again with their tangents.
 
-#include "dem/solver/wall_state.hpp"
+#include "dem/solver/state/wall_state.hpp"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Rules that end a push that goes one way, for PushPlan::decided.
 
-#include "dem/solver/curve_point.hpp"
+#include "dem/solver/state/curve_point.hpp"
 
 #include <functional>
 #include <span>

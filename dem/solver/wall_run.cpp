@@ -1,15 +1,15 @@
 #include "dem/solver/wall_run.hpp"
 
 #include "dem/block/model.hpp"
-#include "dem/solver/brittle_contacts.hpp"
-#include "dem/solver/finite_step.hpp"
 #include "dem/solver/slower.hpp"
 #include "dem/solver/solver_error.hpp"
-#include "dem/solver/stability_limit.hpp"
+#include "dem/solver/state/take_snapshot.hpp"
 #include "dem/solver/static_start.hpp"
-#include "dem/solver/take_snapshot.hpp"
+#include "dem/solver/step/brittle_contacts.hpp"
+#include "dem/solver/step/finite_step.hpp"
+#include "dem/solver/step/stability_limit.hpp"
+#include "dem/solver/step/vertical_load.hpp"
 #include "dem/solver/thread_time.hpp"
-#include "dem/solver/vertical_load.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,12 +3,12 @@
 /// a lane of a batch.
 
 #include "dem/solver/drive.hpp"
-#include "dem/solver/mean_stresses.hpp"
 #include "dem/solver/push.hpp"
-#include "dem/solver/recorder.hpp"
+#include "dem/solver/state/mean_stresses.hpp"
+#include "dem/solver/state/recorder.hpp"
+#include "dem/solver/state/steady_motion.hpp"
 #include "dem/solver/static_start.hpp"
-#include "dem/solver/steady_motion.hpp"
-#include "dem/solver/step.hpp"
+#include "dem/solver/step/step.hpp"
 
 #include <cstddef>
 #include <deque>

@@ -3,7 +3,7 @@
 #include <drystone/dem/block/model.hpp>
 #include <drystone/dem/scene/paper_materials.hpp>
 #include <drystone/dem/solver/push.hpp>
-#include <drystone/fragility/curve_reading.hpp>
+#include <drystone/fragility/curve/curve_reading.hpp>
 
 #include <cstdio>
 #include <numbers>

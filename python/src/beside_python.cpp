@@ -1,6 +1,6 @@
 #include "python/src/beside_python.hpp"
 
-#include "app/study/interrupt.hpp"
+#include "app/study/pushed/interrupt.hpp"
 
 #include <pybind11/pybind11.h>
 

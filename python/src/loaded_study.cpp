@@ -2,11 +2,11 @@
 
 #include "app/input/option.hpp"
 #include "app/input/prepared_study.hpp"
-#include "app/input/random_layouts.hpp"
 #include "app/input/study_reading.hpp"
+#include "app/input/wall/random_layouts.hpp"
 #include "app/study/other_way.hpp"
-#include "app/study/push_walls.hpp"
-#include "app/study/study_file_head.hpp"
+#include "app/study/pushed/push_walls.hpp"
+#include "app/study/stored/study_file_head.hpp"
 #include "python/src/beside_python.hpp"
 
 #include <cstdint>

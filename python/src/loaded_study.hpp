@@ -2,8 +2,8 @@
 /// A study file as Python holds it.
 
 #include "app/sampling/sample_plan.hpp"
-#include "app/study/pushed_wall.hpp"
-#include "app/study/wanted_walls.hpp"
+#include "app/study/pushed/pushed_wall.hpp"
+#include "app/study/stored/wanted_walls.hpp"
 #include "dem/block/model.hpp"
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-#include "app/input/units.hpp"
-#include "app/store/store_error.hpp"
+#include "app/input/study/units.hpp"
+#include "app/store/hdf5/store_error.hpp"
 #include "app/text/config_error.hpp"
 #include "app/version.hpp"
 #include "dem/solver/solver_lanes.hpp"

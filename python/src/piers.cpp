@@ -1,6 +1,6 @@
 #include "python/src/piers.hpp"
 
-#include "app/study/pier_reading.hpp"
+#include "app/study/pushed/pier_reading.hpp"
 #include "python/src/arrays.hpp"
 
 #include <string>

@@ -1,4 +1,4 @@
-#include "app/input/units.hpp"
+#include "app/input/study/units.hpp"
 #include "app/surrogate/learned_surrogate.hpp"
 #include "python/src/arrays.hpp"
 #include "python/src/bind.hpp"

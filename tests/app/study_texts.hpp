@@ -4,7 +4,7 @@
 #include "app/bad_input/cases.hpp"
 #include "app/input/prepared_study.hpp"
 #include "app/input/study_reading.hpp"
-#include "app/input/wall_geometry.hpp"
+#include "app/input/wall/wall_geometry.hpp"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 /// Stored walls with a given reading, for tests of what is made of readings.
 
-#include "app/study/study_walls.hpp"
+#include "app/study/stored/study_walls.hpp"
 
 #include <cstdint>
 

@@ -4,14 +4,14 @@ drystone_tests(bench PAGES
         bench/test_accuracy.cpp
         bench/test_work_count.cpp
         scenes/paper_wall.cpp
-        ../bench/work_count.cpp
+        ../bench/speed/work_count.cpp
     LIBRARIES drystone_dem drystone_accuracy)
 
 drystone_tests(validation PAGES
-    SOURCES app/fragility_scenes.cpp bench/test_validation.cpp
+    SOURCES app/fragility/fragility_scenes.cpp bench/test_validation.cpp
     LIBRARIES drystone_validation)
 
 drystone_tests(joint_laws PAGES
-    SOURCES app/fragility_scenes.cpp bench/test_joint_laws.cpp
+    SOURCES app/fragility/fragility_scenes.cpp bench/test_joint_laws.cpp
     LIBRARIES drystone_joint_laws
     DEFINITIONS DRYSTONE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")

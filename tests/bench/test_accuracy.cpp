@@ -1,6 +1,6 @@
 #include "app/text/check_sum.hpp"
-#include "bench/accuracy_answers.hpp"
-#include "bench/accuracy_tables.hpp"
+#include "bench/accuracy/accuracy_answers.hpp"
+#include "bench/accuracy/accuracy_tables.hpp"
 
 #include <catch2/catch.hpp>
 

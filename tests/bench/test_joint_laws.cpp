@@ -1,7 +1,7 @@
-#include "app/fragility_scenes.hpp"
 #include "bench/joint_laws/findings.hpp"
 #include "bench/joint_laws/law_tables.hpp"
 #include "bench/joint_laws/laws.hpp"
+#include "tests/app/fragility/fragility_scenes.hpp"
 
 #include <catch2/catch.hpp>
 

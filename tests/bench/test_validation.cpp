@@ -1,9 +1,9 @@
-#include "app/fragility/sampling_errors.hpp"
-#include "app/fragility_scenes.hpp"
+#include "app/fragility/numbers/sampling_errors.hpp"
 #include "bench/validation/joint_inputs.hpp"
 #include "bench/validation/numerical_scatter.hpp"
 #include "bench/validation/paper_comparison.hpp"
 #include "bench/validation/paper_tables.hpp"
+#include "tests/app/fragility/fragility_scenes.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,8 +1,8 @@
 #include "bench/counting_number.hpp"
-#include "bench/work_count.hpp"
+#include "bench/speed/work_count.hpp"
 #include "dem/block/model.hpp"
 #include "dem/solver/static_start.hpp"
-#include "dem/solver/step.cpp" // NOLINT: for one more kind of number
+#include "dem/solver/step/step.cpp" // NOLINT: for one more kind of number
 #include "scenes/paper_wall.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 /// Curves with closed forms.
 
-#include "fragility/curve_reading.hpp"
+#include "fragility/curve/curve_reading.hpp"
 
 #include <initializer_list>
 #include <utility>

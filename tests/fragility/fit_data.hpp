@@ -1,8 +1,8 @@
 #pragma once
 /// Data sets with published or independently computed fits.
 
-#include "fragility/bootstrap_random.hpp"
-#include "fragility/observation.hpp"
+#include "fragility/fits/bootstrap_random.hpp"
+#include "fragility/fits/observation.hpp"
 
 #include <cstdint>
 #include <vector>

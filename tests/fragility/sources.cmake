@@ -1,16 +1,16 @@
 set(TEST_FRAGILITY_SOURCES
-    fragility/test_bilinear.cpp
-    fragility/test_code_table.cpp
-    fragility/test_comparison.cpp
-    fragility/test_curve_reading.cpp
-    fragility/test_curve_table.cpp
-    fragility/test_cyclic_curve.cpp
-    fragility/test_pushed_cycles.cpp
-    fragility/test_rocking_loops.cpp
+    fragility/curve/test_bilinear.cpp
+    fragility/codes/test_code_table.cpp
+    fragility/tested/test_comparison.cpp
+    fragility/curve/test_curve_reading.cpp
+    fragility/tested/test_curve_table.cpp
+    fragility/curve/test_cyclic_curve.cpp
+    fragility/curve/test_pushed_cycles.cpp
+    fragility/curve/test_rocking_loops.cpp
     scenes/paper_wall.cpp
     scenes/rocking_statics.cpp
-    fragility/test_limit_states.cpp
-    fragility/test_measured_walls.cpp
-    ../bench/comparison.cpp
-    ../bench/curve_table.cpp
-    ../bench/measured_walls.cpp)
+    fragility/curve/test_limit_states.cpp
+    fragility/tested/test_measured_walls.cpp
+    ../bench/tested/comparison.cpp
+    ../bench/tested/curve_table.cpp
+    ../bench/tested/measured_walls.cpp)

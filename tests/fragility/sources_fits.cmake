@@ -1,31 +1,31 @@
 # Statistics of limit displacements and modes: needs drystone_fragility alone, so that it builds fast.
 drystone_tests(fragility_fits
     SOURCES
-        fragility/test_censored_fit.cpp
-        fragility/test_cloud.cpp
-        fragility/test_crossed_design.cpp
-        fragility/test_fit_intervals.cpp
-        fragility/test_fragility_curve.cpp
-        fragility/test_goodness_of_fit.cpp
-        fragility/test_hierarchical_normal.cpp
-        fragility/test_ida.cpp
-        fragility/test_intensity_fit.cpp
-        fragility/test_kaplan_meier.cpp
-        fragility/test_law_parameters.cpp
-        fragility/test_limit_quantiles.cpp
-        fragility/test_median_bound.cpp
-        fragility/test_observation.cpp
-        fragility/test_observed_quantile.cpp
-        fragility/test_resampled_curve.cpp
-        fragility/test_mode_lack_of_fit.cpp
-        fragility/test_mode_model.cpp
-        fragility/test_model_factor.cpp
-        fragility/test_maximise.cpp
-        fragility/test_share.cpp
-        fragility/test_standard_law.cpp
-        fragility/test_stress_model.cpp
-        fragility/test_ordinal_fit.cpp
-        fragility/test_survival_data.cpp
+        fragility/fits/test_censored_fit.cpp
+        fragility/intensity/test_cloud.cpp
+        fragility/intensity/test_crossed_design.cpp
+        fragility/fits/test_fit_intervals.cpp
+        fragility/limits/test_fragility_curve.cpp
+        fragility/fits/test_goodness_of_fit.cpp
+        fragility/limits/test_hierarchical_normal.cpp
+        fragility/intensity/test_ida.cpp
+        fragility/intensity/test_intensity_fit.cpp
+        fragility/fits/test_kaplan_meier.cpp
+        fragility/fits/test_law_parameters.cpp
+        fragility/limits/test_limit_quantiles.cpp
+        fragility/fits/test_median_bound.cpp
+        fragility/fits/test_observation.cpp
+        fragility/fits/test_observed_quantile.cpp
+        fragility/curve/test_resampled_curve.cpp
+        fragility/modes/test_mode_lack_of_fit.cpp
+        fragility/modes/test_mode_model.cpp
+        fragility/limits/test_model_factor.cpp
+        fragility/laws/test_maximise.cpp
+        fragility/fits/test_share.cpp
+        fragility/laws/test_standard_law.cpp
+        fragility/limits/test_stress_model.cpp
+        fragility/modes/test_ordinal_fit.cpp
+        fragility/fits/test_survival_data.cpp
     LIBRARIES drystone_fragility drystone_uq_sampling)
 
 # Random data sets against R; skipped where R or its packages survival, MASS, nnet are missing.

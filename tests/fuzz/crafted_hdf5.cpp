@@ -1,6 +1,6 @@
 #include "fuzz/crafted_hdf5.hpp"
 
-#include "app/store/hdf5_file.hpp"
+#include "app/store/hdf5/hdf5_file.hpp"
 
 #include <algorithm>
 #include <cstring>

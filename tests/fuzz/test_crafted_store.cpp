@@ -1,9 +1,9 @@
 #include "fuzz/crafted_hdf5.hpp"
 
 #include "app/child_process.hpp"
-#include "app/memory_folder.hpp"
 #include "app/store/store.hpp"
-#include "app/store_scene.hpp"
+#include "tests/app/store/memory_folder.hpp"
+#include "tests/app/store/store_scene.hpp"
 #include "tests/scenes/temporary_folder.hpp"
 
 #include <catch2/catch.hpp>

@@ -3,9 +3,9 @@
 #include "fuzz/crafted_hdf5.hpp"
 
 #include "app/child_process.hpp"
-#include "app/store/store_error.hpp"
+#include "app/store/hdf5/store_error.hpp"
 #include "app/study/run_study.hpp"
-#include "app/study/study_walls.hpp"
+#include "app/study/stored/study_walls.hpp"
 #include "app/text/config_error.hpp"
 #include "tests/scenes/temporary_folder.hpp"
 

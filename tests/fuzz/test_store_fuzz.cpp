@@ -1,8 +1,8 @@
 #include "app/store/store.hpp"
 
 #include "app/child_process.hpp"
-#include "app/memory_folder.hpp"
-#include "app/store_scene.hpp"
+#include "tests/app/store/memory_folder.hpp"
+#include "tests/app/store/store_scene.hpp"
 #include "tests/scenes/same_results.hpp"
 #include "tests/scenes/temporary_folder.hpp"
 #include "uq/designs/stream.hpp"

@@ -16,7 +16,7 @@ while IFS=: read -r file header; do
     [[ -f $include/$header ]] || die "$file: $header is not installed"
 done < <(cd "$include" && grep -roE '^#include "[^"]+"' . | sed -E 's/#include "(.*)"/\1/')
 ! grep -rIl --include='*.cmake' --include='*.pc' --include='*.hpp' -e "$root" "$work/usr" || die "names the source tree"
-for private in contact/pack.hpp solver/step.hpp; do
+for private in contact/pack.hpp solver/step/step.hpp; do
     [[ ! -e $include/dem/$private ]] || die "installed, but private: $private"
 done
 

@@ -2,7 +2,7 @@
 /// Made-up wall states with known openings, slips and cracks, for pictures and files. Nothing
 /// is solved.
 
-#include "dem/scene/snapshot.hpp"
+#include "dem/scene/geometry/snapshot.hpp"
 
 namespace scenes {
 

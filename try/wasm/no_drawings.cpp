@@ -1,6 +1,6 @@
 /// The page reads no file: a wall comes from keys.
 
-#include "app/drawing/drawing.hpp"
+#include "app/drawing/outlines/drawing.hpp"
 #include "app/text/config_error.hpp"
 #include "app/text/text_file.hpp"
 

@@ -1,19 +1,19 @@
 #include "try/wasm/page_json.hpp"
 
-#include "app/input/joint_laws.hpp"
 #include "app/input/key_effects.hpp"
-#include "app/input/key_values.hpp"
-#include "app/input/limit_state_text.hpp"
-#include "app/input/study_keys.hpp"
+#include "app/input/keys/key_values.hpp"
+#include "app/input/keys/limit_state_text.hpp"
+#include "app/input/keys/study_keys.hpp"
 #include "app/input/study_reading.hpp"
 #include "app/input/verb.hpp"
-#include "app/input/wall_geometry.hpp"
+#include "app/input/wall/joint_laws.hpp"
+#include "app/input/wall/wall_geometry.hpp"
 #include "app/text/number_text.hpp"
 #include "dem/scene/layout.hpp"
-#include "dem/scene/snapshot_reading.hpp"
-#include "fragility/fragility_curve.hpp"
-#include "fragility/kaplan_meier.hpp"
-#include "fragility/limit_states.hpp"
+#include "dem/scene/mechanism/snapshot_reading.hpp"
+#include "fragility/curve/limit_states.hpp"
+#include "fragility/fits/kaplan_meier.hpp"
+#include "fragility/limits/fragility_curve.hpp"
 
 #include <algorithm>
 #include <array>

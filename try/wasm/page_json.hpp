@@ -2,9 +2,9 @@
 /// Everything that the page shows, as JSON.
 
 #include "app/input/prepared_study.hpp"
-#include "app/study/pushed_wall.hpp"
+#include "app/study/pushed/pushed_wall.hpp"
 #include "app/text/json_text.hpp"
-#include "dem/scene/snapshot.hpp"
+#include "dem/scene/geometry/snapshot.hpp"
 
 #include <vector>
 

@@ -2,8 +2,9 @@
 /// Stopping rule: samples are added until an interval is narrow enough.
 ///
 /// Stopping at a narrow interval favours samples whose spread came out small, so that the
-/// coverage of the last interval is a little below its confidence (tests/uq/test_stopping.cpp
-/// measures it). A larger `min_n` and growth in large steps keep this effect small.
+/// coverage of the last interval is a little below its confidence
+/// (tests/uq/analysis/test_stopping.cpp measures it). A larger `min_n` and growth in large
+/// steps keep this effect small.
 
 #include "uq/estimates/estimate.hpp"
 

@@ -1,8 +1,8 @@
 #include "uq/marginals/marginal.hpp"
 
 #include "core/normal.hpp"
-#include "uq/marginals/discrete.hpp"
-#include "uq/marginals/truncated.hpp"
+#include "uq/marginals/shapes/discrete.hpp"
+#include "uq/marginals/shapes/truncated.hpp"
 
 #include <gsl/gsl_cdf.h>
 

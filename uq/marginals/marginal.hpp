@@ -2,7 +2,7 @@
 /// Distributions of one variable. A distribution is a value; what it can do are free functions
 /// with the same names for all.
 
-#include "uq/marginals/shape.hpp"
+#include "uq/marginals/shapes/shape.hpp"
 
 #include <limits>
 #include <vector>

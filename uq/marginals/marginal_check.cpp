@@ -1,7 +1,7 @@
 #include "uq/marginals/marginal.hpp"
 
-#include "uq/marginals/shape_checks.hpp"
-#include "uq/marginals/truncated.hpp"
+#include "uq/marginals/shapes/shape_checks.hpp"
+#include "uq/marginals/shapes/truncated.hpp"
 
 #include <algorithm>
 #include <cmath>

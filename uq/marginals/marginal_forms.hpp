@@ -1,7 +1,7 @@
 #pragma once
 /// The ways to write a marginal in text: names of the distributions and of their parameters.
 
-#include "uq/marginals/shape.hpp"
+#include "uq/marginals/shapes/shape.hpp"
 
 #include <functional>
 #include <span>

@@ -3,8 +3,8 @@
 
 #include "uq/marginals/marginal.hpp"
 
-#include "uq/marginals/discrete.hpp"
 #include "uq/marginals/normal_rule.hpp"
+#include "uq/marginals/shapes/discrete.hpp"
 
 #include <algorithm>
 #include <cmath>

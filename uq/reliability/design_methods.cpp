@@ -1,10 +1,10 @@
 #include "uq/reliability/design_methods.hpp"
 
 #include "uq/designs/stream.hpp"
-#include "uq/reliability/evaluate.hpp"
-#include "uq/reliability/importance_sampling.hpp"
+#include "uq/reliability/design_point/sorm.hpp"
+#include "uq/reliability/limit_state/evaluate.hpp"
 #include "uq/reliability/method_answers.hpp"
-#include "uq/reliability/sorm.hpp"
+#include "uq/reliability/simulation/importance_sampling.hpp"
 
 #include <algorithm>
 #include <cstdint>

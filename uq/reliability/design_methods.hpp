@@ -1,7 +1,7 @@
 #pragma once
 /// The methods that begin with the points of the limit state nearest to the origin.
 
-#include "uq/reliability/form.hpp"
+#include "uq/reliability/design_point/form.hpp"
 #include "uq/reliability/reliability.hpp"
 
 #include <cstddef>

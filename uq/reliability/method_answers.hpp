@@ -1,7 +1,7 @@
 #pragma once
 /// Parts of the answer that every method makes in the same way.
 
-#include "uq/reliability/exceedance.hpp"
+#include "uq/reliability/limit_state/exceedance.hpp"
 #include "uq/reliability/reliability.hpp"
 
 #include <cstddef>

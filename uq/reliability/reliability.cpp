@@ -2,12 +2,12 @@
 
 #include "core/normal.hpp"
 #include "uq/designs/sobol.hpp"
-#include "uq/reliability/active_learning.hpp"
-#include "uq/reliability/crude_monte_carlo.hpp"
+#include "uq/reliability/active/active_learning.hpp"
 #include "uq/reliability/design_methods.hpp"
-#include "uq/reliability/evaluate.hpp"
+#include "uq/reliability/limit_state/evaluate.hpp"
 #include "uq/reliability/method_answers.hpp"
-#include "uq/reliability/subset_simulation.hpp"
+#include "uq/reliability/simulation/crude_monte_carlo.hpp"
+#include "uq/reliability/simulation/subset_simulation.hpp"
 #include "uq/sensitivity/regression.hpp"
 #include "uq/sensitivity/sobol_indices.hpp"
 

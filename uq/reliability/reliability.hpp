@@ -1,9 +1,9 @@
 #pragma once
 /// The probability of an event and what it depends on: one call for every method.
 
-#include "uq/reliability/limit_state.hpp"
-#include "uq/reliability/multi_fidelity.hpp"
+#include "uq/reliability/limit_state/limit_state.hpp"
 #include "uq/reliability/reliability_method.hpp"
+#include "uq/reliability/simulation/multi_fidelity.hpp"
 
 #include <Eigen/Core>
 

@@ -27,7 +27,7 @@ struct HsicOptions {
 
 /// The index is the one of the unbiased estimators of Song et al. (2012); its standard error is
 /// that of the jackknife, the interval normal and cut at 0 and 1. Bootstraps of this index hold
-/// the truth less often (docs/bench/given_data_coverage.md).
+/// the truth less often (docs/bench/uq/given_data_coverage.md).
 /// Cost: n^2 for each permutation.
 /// @param x, y finite, of equal length, at least 6; else std::invalid_argument, also where one
 /// of them does not vary

@@ -1,0 +1,159 @@
+#include "app/fragility/intensity/intensity_data.hpp"
+
+#include "app/text/config_error.hpp"
+#include "app/text/number_text.hpp"
+#include "app/text/words.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace app {
+namespace {
+
+std::vector<IntensityState> states_of_study(const FragilityInput& f, bool pushed)
+{
+    constexpr double kPushShare = 0.8; // of the drift limit of a push: choice
+    const auto percent = [](double x) { return number(100.0 * x, 6) + " %"; };
+    std::vector<IntensityState> states = {
+        {"uplift of " + percent(f.shaken_uplift), IntensityResponse::uplift, f.shaken_uplift}};
+    for (const double drift : f.shaken_drifts)
+        states.push_back({"drift " + percent(drift), IntensityResponse::drift, drift});
+    if (f.pushed_limit > 0.0)
+        states.push_back(
+            {"drift " + percent(kPushShare * f.pushed_limit) + ", 80 % of the limit of a push",
+             IntensityResponse::drift, kPushShare * f.pushed_limit});
+    if (pushed)
+        states.push_back(
+            {"80 % of the limit of its own push", IntensityResponse::pushed, kPushShare});
+    for (const double residual : f.shaken_residuals)
+        states.push_back(
+            {"residual " + percent(residual), IntensityResponse::residual, residual});
+    states.push_back(
+        {"collapse", IntensityResponse::collapse, std::numeric_limits<double>::infinity()});
+    return states;
+}
+
+} // namespace
+
+IntensityData intensity_data(StoredHistories histories, const std::string& measure)
+{
+    IntensityData d;
+    const std::string text = measure.empty() ? histories.study.shaking.measure : measure;
+    try {
+        d.measure = ground::parse_measure(text);
+    } catch (const std::invalid_argument& bad) {
+        throw ConfigError("drystone", 0, "--intensity", bad.what());
+    }
+    d.measure_name = measure_text(d.measure);
+    const auto at = std::ranges::find(histories.measures, d.measure_name);
+    if (at == histories.measures.end()) {
+        std::string there;
+        for (const std::string& m : histories.measures)
+            there += (there.empty() ? "" : ", ") + m;
+        throw ConfigError("drystone", 0, "--intensity",
+                          in_quotes(d.measure_name) + " is not in " +
+                              in_quotes(histories.name) + "; use one of " + there);
+    }
+    d.column = static_cast<std::size_t>(at - histories.measures.begin());
+    d.unit = measure_unit(d.measure);
+    d.unit_value = measure_unit_value(d.measure);
+    d.states = states_of_study(histories.study.fragility, histories.study.shaking.push);
+    d.confidence = histories.study.fragility.confidence;
+    d.histories = std::move(histories);
+    return d;
+}
+
+std::vector<fragility::HazardPoint> hazard_points(const Csv& csv, const IntensityData& data)
+{
+    constexpr std::size_t kColumns = 2;
+    check_rows(csv);
+    if (csv.head.size() != kColumns)
+        throw ConfigError(csv.path, 1, "",
+                          "has " + std::to_string(csv.head.size()) +
+                              " columns; write two: the intensity [" + data.unit +
+                              "], and the annual rate at which it is exceeded [1/a]");
+    const std::string& head = csv.head.front();
+    const std::string_view name = bare_name(head);
+    if (name.size() < head.size()) {
+        const std::string unit = head.substr(name.size());
+        if (unit.find("[" + data.unit + "]") == std::string::npos &&
+            unit.find("(" + data.unit + ")") == std::string::npos)
+            throw ConfigError(csv.path, 1, head,
+                              data.measure_name + " is read in [" + data.unit +
+                                  "]; convert the column, or choose another --intensity");
+    }
+    std::vector<fragility::HazardPoint> points;
+    for (const CsvRow& row : csv.rows) {
+        const fragility::HazardPoint p{number_at(csv, row, 0), number_at(csv, row, 1)};
+        if (!(p.intensity > 0.0)) refuse_cell(csv, row, 0, "must be above 0");
+        if (!(p.rate > 0.0)) refuse_cell(csv, row, 1, "must be above 0");
+        if (!points.empty() && !(p.intensity > points.back().intensity))
+            refuse_cell(csv, row, 0, "must be above that of the row before");
+        if (!points.empty() && !(p.rate < points.back().rate))
+            refuse_cell(csv, row, 1, "must be below that of the row before");
+        points.push_back(p);
+    }
+    if (points.size() < 2)
+        throw ConfigError(csv.path, csv.rows.back().line, "",
+                          "a hazard curve has two points or more");
+    return points;
+}
+
+double response_of(const StoredHistory& h, IntensityResponse of)
+{
+    switch (of) {
+    case IntensityResponse::residual:
+        return h.fell ? 0.0 : std::abs(h.residual_drift);
+    case IntensityResponse::uplift:
+        return h.uplift;
+    case IntensityResponse::pushed:
+        return h.pushed_limit > 0.0 ? h.max_drift / h.pushed_limit : 0.0;
+    case IntensityResponse::drift:
+    case IntensityResponse::collapse:
+        break;
+    }
+    return h.max_drift;
+}
+
+std::vector<fragility::ShakenWallPoint> shaken_points(const IntensityData& data,
+                                                      std::size_t level,
+                                                      const IntensityState& state,
+                                                      std::optional<dem::FailureMode> mode)
+{
+    std::vector<fragility::ShakenWallPoint> points;
+    for (const StoredHistory& h : data.histories.levels.at(level).histories) {
+        if (h.failed || (mode && h.mode != *mode)) continue;
+        points.push_back({h.wall, h.record, h.measures.at(data.column) / data.unit_value,
+                          response_of(h, state.of), h.fell});
+    }
+    return points;
+}
+
+IntensityFits intensity_fits(const IntensityData& data, std::size_t level,
+                             const IntensityState& state, std::optional<dem::FailureMode> mode)
+{
+    const std::vector<fragility::ShakenWallPoint> points =
+        shaken_points(data, level, state, mode);
+    IntensityFits fits;
+    for (std::size_t i = 0; i < kIntensityMethods.size(); ++i) {
+        const auto method = kIntensityMethods[i].first;
+        if (method == fragility::IntensityMethod::ida && mode) continue;
+        if (method == fragility::IntensityMethod::cloud && state.of != IntensityResponse::drift)
+            continue;
+        fits.by[i] = fragility::fit_clustered(method, points, state.threshold, kElasticDrift,
+                                              data.confidence);
+    }
+    return fits;
+}
+
+std::optional<std::size_t> chosen_fit(const IntensityFits& fits)
+{
+    for (std::size_t i = 0; i < fits.by.size(); ++i)
+        if (fits.by[i] && fits.by[i]->fit.outcome == fragility::ModelOutcome::converged)
+            return i;
+    return {};
+}
+
+} // namespace app

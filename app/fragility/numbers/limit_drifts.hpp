@@ -1,0 +1,44 @@
+#pragma once
+/// The limit drifts of a group of walls, chosen once: tables, pages, curves, files for other
+/// programs read them here.
+
+#include "app/fragility/numbers/fragility_data.hpp"
+#include "app/output/table/table.hpp"
+#include "fragility/limits/limit_quantiles.hpp"
+#include "fragility/limits/performance_limits.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace app {
+
+struct LimitDrifts {
+    fragility::LimitQuantiles quantiles;
+    fragility::PerformanceLimits law; ///< one law of all walls, whether it is used or not
+    JudgedFit judged;                 ///< that law and its tests
+};
+
+/// The drifts, in intervals that hold wherever the drifts of walls that miss the accuracy lie
+/// within their error.
+[[nodiscard]] LimitDrifts limit_drifts(const DriftData& data, std::size_t group,
+                                       std::size_t state);
+
+/// "2.45 [2.03, no limit]"; "> 2.72" where only a lower bound is known.
+[[nodiscard]] Number quantile_cell(const fragility::LimitQuantile& quantile, int decimals);
+
+/// "law", "mixture", "observed"; "law, observed" where the upper shares are those observed;
+/// empty without numbers.
+[[nodiscard]] std::string source_text(const fragility::LimitQuantiles& quantiles);
+
+/// The reason why drifts are not those of one law; empty where they are.
+[[nodiscard]] std::string source_note(const LimitDrifts& limits);
+
+/// Whether one law of all walls gives all of them, so that its curve is theirs.
+[[nodiscard]] bool of_one_law(const fragility::LimitQuantiles& quantiles);
+
+/// Half of the distance of ln 16 % and ln 84 % drift, in standard normal deviates; of a law,
+/// its own. Nothing where one of both is not known.
+[[nodiscard]] std::optional<double> dispersion_of(const LimitDrifts& limits);
+
+} // namespace app

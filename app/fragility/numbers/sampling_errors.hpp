@@ -1,0 +1,36 @@
+#pragma once
+/// Errors of means by the number of walls: as of independent walls, and as of the hypercube
+/// that was drawn.
+
+#include "app/output/table/table.hpp"
+#include "app/study/stored/study_walls.hpp"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace app {
+
+/// Whether walls come from a Latin hypercube with one value of each input per wall, none of
+/// them correlated.
+[[nodiscard]] bool in_hypercube(const Study& study);
+
+/// Standard error of the mean of y over the walls of the level that are members, under a
+/// hypercube (uq::latin_subset_error); nothing where the study has none, or of fewer than two
+/// members.
+/// @param y, member  one for each wall of the level
+[[nodiscard]] std::optional<double> hypercube_error(const StudyWalls& walls,
+                                                    const StudyLevel& level,
+                                                    std::span<const double> y,
+                                                    const std::vector<bool>& member);
+
+/// Standard error of the mean of ln peak force under a hypercube [-]; nothing where the study
+/// has none, or of fewer than two walls.
+[[nodiscard]] std::optional<double> log_peak_error(const StudyWalls& walls,
+                                                   const StudyLevel& level);
+
+/// Mean peak force, share of each mode, and mean displacement of the walls that fell, with both
+/// errors.
+[[nodiscard]] Table sampling_error_table(const StudyWalls& walls);
+
+} // namespace app

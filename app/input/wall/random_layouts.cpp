@@ -1,0 +1,47 @@
+#include "app/input/wall/random_layouts.hpp"
+
+#include "app/input/study/study.hpp"
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+constexpr double kMostSeed = 1e9; // of the range of wall.seed
+
+} // namespace
+
+bool has_layouts(const Study& study) { return study.geometry.layouts > 1; }
+
+bool is_random(const Study& study) { return !study.random.empty() || has_layouts(study); }
+
+std::uint32_t layout_seed(const Study& study, std::uint32_t sample)
+{
+    return study.wall.seed + sample % static_cast<std::uint32_t>(study.geometry.layouts);
+}
+
+void check_layouts(const Study& study)
+{
+    if (!has_layouts(study)) return;
+    const GeometryInput& g = study.geometry;
+    if (study.wall.seed + static_cast<double>(g.layouts) - 1.0 > kMostSeed)
+        throw error_at(study.source, "wall.layouts",
+                       "wall.seed + wall.layouts would pass 1e9; write a smaller wall.seed");
+    if (study.uq.spatial != Spatial::none)
+        throw error_at(study.source, "uq.spatial",
+                       "joints of two layouts have nothing in common; write none, or "
+                       "wall.layouts = 1");
+    if (study.cracks.where == "needed")
+        throw error_at(study.source, "unit.cracks_where",
+                       "needed is found for one layout; write toe or a region, or "
+                       "wall.layouts = 1");
+}
+
+void refuse_layouts(const Study& study)
+{
+    if (has_layouts(study))
+        throw error_at(study.source, "wall.layouts",
+                       "only the verb study draws layouts; write 1");
+}
+
+} // namespace app

@@ -1,0 +1,330 @@
+#include "app/input/wall/wall_geometry.hpp"
+
+#include "app/drawing/outlines/drawing.hpp"
+#include "app/input/study/study.hpp"
+#include "app/input/study/units.hpp"
+#include "app/input/wall/built_wall.hpp"
+#include "app/input/wall/drawn_ends.hpp"
+#include "app/input/wall/layer_stones.hpp"
+#include "app/input/wall/unit_cracks.hpp"
+#include "app/text/check_sum.hpp"
+#include "app/text/number_text.hpp"
+#include "app/text/words.hpp"
+#include "dem/scene/bond.hpp"
+#include "dem/scene/drawn_layout.hpp"
+#include "dem/scene/geometry/polygon.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <iterator>
+
+namespace app {
+namespace {
+
+double parse_coordinate(std::string_view text)
+{
+    double x = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
+    if (error != std::errc() || end != text.data() + text.size() || !(std::abs(x) < 1e4))
+        throw BadValue(in_quotes(text) + " is not a coordinate in metres");
+    return x;
+}
+
+dem::Point parse_corner(std::string_view text)
+{
+    const std::size_t blank = text.find_first_of(" \t");
+    if (blank == std::string_view::npos)
+        throw BadValue(in_quotes(text) + " is not a corner; write x and z in metres: 0.2 0.1");
+    return {parse_coordinate(text.substr(0, blank)),
+            parse_coordinate(trimmed(text.substr(blank)))};
+}
+
+/// Lintels, which never crack, in drawings and where `scene` exports a wall in courses.
+constexpr std::string_view kLintels = "lintel";
+
+/// 0 where the layer is of the wall's own stone.
+int material_of(const std::vector<std::string>& layers, std::string_view layer)
+{
+    const auto at = std::ranges::find(layers, layer);
+    return at == layers.end() ? 0 : 1 + static_cast<int>(at - layers.begin());
+}
+
+/// From 1; 0 of a unit without a layer.
+int layer_number(std::vector<std::string>& layers, const std::string& layer)
+{
+    if (layer.empty()) return 0;
+    const auto at = std::ranges::find(layers, layer) - layers.begin();
+    if (at == std::ssize(layers)) layers.push_back(layer);
+    return 1 + static_cast<int>(at);
+}
+
+std::vector<dem::DrawnUnit> parse_outlines(GeometryInput& g)
+{
+    std::vector<dem::DrawnUnit> units;
+    for (const std::string_view part : split(g.outlines, ";")) {
+        const auto [layer, corners] = named_part(part);
+        dem::DrawnUnit unit;
+        unit.material = material_of(g.layers, layer);
+        unit.layer = layer_number(g.drawn_layers, layer);
+        for (const std::string_view corner : split(corners, ","))
+            unit.outline.push_back(parse_corner(corner));
+        if (unit.outline.size() < 3 || !(dem::polygon_area(unit.outline) > 0.0))
+            throw BadValue(in_quotes(part) +
+                           " is not an outline; it needs three corners, counter-clockwise");
+        units.push_back(std::move(unit));
+    }
+    return units;
+}
+
+std::filesystem::path path_of(const Study& study)
+{
+    const std::filesystem::path path = study.geometry.file;
+    const Entry* entry = find_entry(study.source, "wall.geometry");
+    if (path.is_absolute() || entry == nullptr || entry->line == 0) return path;
+    return std::filesystem::path(study.source.path).parent_path() / path;
+}
+
+void read_file(Study& study)
+{
+    GeometryInput& g = study.geometry;
+    const std::filesystem::path path = path_of(study);
+    if (is_picture(path))
+        for (const auto& [key, size] : {std::pair{"wall.picture_width", g.picture_width},
+                                        std::pair{"wall.picture_height", g.picture_height}})
+            if (size == 0.0)
+                throw error_at(
+                    study.source, key,
+                    "missing; a picture does not say its size: write for example 1.20 m");
+    const bool unit_given = find_entry(study.source, "wall.length_unit") != nullptr;
+    const Drawing drawing =
+        read_drawing(path, {g.length_unit, unit_given, g.snap, g.close_outlines,
+                            g.picture_width, g.picture_height, g.simplify});
+    g.notes = drawing.notes;
+    for (const DrawnBlock& b : drawing.blocks)
+        g.units.push_back(
+            {b.outline, material_of(g.layers, b.layer), layer_number(g.drawn_layers, b.layer)});
+    for (const std::string& layer : g.layers)
+        if (std::ranges::none_of(drawing.blocks,
+                                 [&](const DrawnBlock& b) { return b.layer == layer; }))
+            throw error_at(study.source, "wall.layer_stones",
+                           "the drawing has no layer " + in_quotes(layer) +
+                               (is_picture(path) ? "; a picture has none: draw the wall"
+                                                 : layers_text(drawing)));
+}
+
+/// Outlines of the study itself are fitted and checked as those of a drawing are.
+void fit_outlines(Study& study)
+{
+    const Entry* entry = find_entry(study.source, "wall.outlines");
+    std::vector<DrawnBlock> blocks;
+    for (const dem::DrawnUnit& unit : study.geometry.units)
+        blocks.push_back({unit.outline, ""});
+    Drawing drawing = fit_blocks(study.source.path, entry->line, blocks);
+    for (std::size_t b = 0; b < drawing.blocks.size(); ++b)
+        study.geometry.units[b].outline = std::move(drawing.blocks[b].outline);
+    study.geometry.notes = std::move(drawing.notes);
+}
+
+std::string outline_text(const dem::DrawnUnit& unit)
+{
+    std::string text;
+    for (const dem::Point p : unit.outline)
+        text += (text.empty() ? "" : ", ") + number(p.x, 17) + " " + number(p.z, 17);
+    return text;
+}
+
+dem::DrawnWall drawn_wall(const Study& study)
+{
+    dem::DrawnWall wall;
+    wall.units = study.geometry.units;
+    wall.stones = study.geometry.stones;
+    wall.lintels = material_of(study.geometry.layers, kLintels);
+    wall.thickness = study.wall.thickness;
+    wall.base = study.wall.base;
+    const bool given = find_entry(study.source, "wall.unit_length") != nullptr;
+    wall.unit_length = given ? study.wall.unit_length : 0.0;
+    wall.cracks = study.wall.cracks;
+    return wall;
+}
+
+double beam_height(const Study& study) { return study.beam.present ? study.beam.height : 0.0; }
+
+} // namespace
+
+bool is_drawn(const Study& study)
+{
+    return !study.geometry.units.empty() && !study.geometry.rubble;
+}
+
+std::string_view geometry_key(const Study& study)
+{
+    const GeometryInput& g = study.geometry;
+    return !g.file.empty() ? "wall.geometry" : !g.outlines.empty() ? "wall.outlines" : "wall";
+}
+
+bool in_courses(const Study& study)
+{
+    const GeometryInput& g = study.geometry;
+    return g.file.empty() && g.outlines.empty() && !g.rubble;
+}
+
+void require_joints(const Study& study, const dem::Layout& layout)
+{
+    std::vector<char> has(layout.blocks.size());
+    for (const dem::Face& f : layout.faces)
+        for (const int block : {f.a, f.b})
+            if (block != dem::kGround) has[static_cast<std::size_t>(block)] = 1;
+    const auto alone = std::ranges::find(has, 0);
+    if (alone == has.end()) return;
+    const auto b = static_cast<std::size_t>(alone - has.begin());
+    const dem::Block& block = layout.blocks[b];
+    const dem::Point at = dem::centre_of(block);
+    const std::string name =
+        static_cast<int>(b) == layout.beam
+            ? "the beam"
+            : "the block at (" + number(at.x, 4) + ", " + number(at.z, 4) + ")";
+    if (block.motion != dem::Motion::free)
+        throw error_at(study.source, "wall.base",
+                       "fixed holds " + name +
+                           ", which touches no other, so that nothing of it can move; write "
+                           "joint, or leave the block out");
+    throw error_at(study.source, geometry_key(study),
+                   name + " lies against no other over more than " +
+                       number(1e3 * dem::kShortestFace, 3) +
+                       " mm; draw it against its neighbours");
+}
+
+void read_geometry(Study& study)
+{
+    GeometryInput& g = study.geometry;
+    const std::string_view key = geometry_key(study);
+    if (g.file.empty() && g.outlines.empty()) {
+        read_built_wall(study);
+        return;
+    }
+    if (!g.file.empty() && !g.outlines.empty())
+        throw error_at(study.source, "wall.outlines",
+                       "wall.geometry draws the wall too; remove one of them");
+    read_at(study.source, "wall.layer_stones", [&] { parse_layer_stones(study); });
+    read_at(study.source, key, [&] {
+        if (g.file.empty()) {
+            g.units = parse_outlines(g);
+            fit_outlines(study);
+        } else {
+            read_file(study);
+        }
+        read_unit_cracks(study);
+        require_level_top(study);
+        std::ranges::copy(notes_of_ends(study), std::back_inserter(g.notes));
+        check_pieces_of_units(study);
+        const dem::Layout layout = dem::drawn_layout(drawn_wall(study), beam_height(study));
+        require_joints(study, layout);
+        if (find_entry(study.source, "wall.course_height") == nullptr)
+            study.wall.course_height = layout.course_height;
+        study.cracks.cut_nothing = layout.n_cracks == 0;
+    });
+}
+
+dem::Region wall_extent(const Study& study)
+{
+    if (!is_drawn(study))
+        return {0.0, 0.0, study.wall.length,
+                dem::top_of_course(study.wall, study.wall.courses)};
+    const std::vector<dem::DrawnUnit>& units = study.geometry.units;
+    dem::Region all = dem::extent_of(units.front().outline);
+    for (const dem::DrawnUnit& unit : units) all = dem::join(all, dem::extent_of(unit.outline));
+    return all;
+}
+
+double wall_length(const Study& study)
+{
+    if (!is_drawn(study)) return study.wall.length;
+    const dem::Region all = wall_extent(study);
+    return all.x1 - all.x0;
+}
+
+double wall_height(const Study& study) { return wall_extent(study).z1; }
+
+bool has_mortar(const Study& study)
+{
+    const JointInput& joint = study.parameters.joint;
+    return joint.tensile_strength > 0.0 || joint.cohesion > 0.0;
+}
+
+bool has_crushing(const Study& study)
+{
+    const Parameters& p = study.parameters;
+    return p.joint.crushing.strength > 0.0 ||
+           (has_cracks(study) && p.unit.crushing.strength > 0.0);
+}
+
+std::string_view mixed_mode_key(const Study& study)
+{
+    const dem::CrackParameters& unit = study.parameters.unit;
+    const JointInput& joint = study.parameters.joint;
+    constexpr auto kHyperbolic = dem::Envelope::hyperbolic;
+    if (has_cracks(study) && unit.envelope == kHyperbolic) return "unit.envelope";
+    if (has_cracks(study) && unit.shear_fracture_energy > 0.0)
+        return "unit.shear_fracture_energy";
+    if (has_mortar(study) && joint.envelope == kHyperbolic) return "joint.envelope";
+    if (has_mortar(study) && joint.shear_fracture_energy > 0.0)
+        return "joint.shear_fracture_energy";
+    return "";
+}
+
+bool is_full_rectangle(const Study& study)
+{
+    if (!is_drawn(study)) return study.wall.openings.empty();
+    constexpr double kRounding = 1e-9; // of the area
+    const dem::Region all = wall_extent(study);
+    double area = 0.0;
+    for (const dem::DrawnUnit& unit : study.geometry.units) {
+        if (unit.material != 0) return false;
+        area += dem::polygon_area(unit.outline);
+    }
+    return area >= (1.0 - kRounding) * (all.x1 - all.x0) * (all.z1 - all.z0);
+}
+
+dem::Layout whole_units(const Study& study)
+{
+    Study uncracked = study;
+    uncracked.wall.cracks.pattern = {dem::CrackPattern::Kind::none};
+    uncracked.wall.cracks.where.clear();
+    return layout_of(uncracked);
+}
+
+dem::Layout layout_of(const Study& study)
+{
+    dem::Layout layout = !study.geometry.units.empty()
+                             ? dem::drawn_layout(drawn_wall(study), beam_height(study))
+                             : dem::lay_out(study.wall, beam_height(study));
+    layout.course_height = study.wall.course_height; // h of Eq. 2
+    layout.mortar = has_mortar(study);
+    layout.crushing = has_crushing(study);
+    layout.wear = study.parameters.joint.wear_length > 0.0;
+    layout.closure = study.parameters.joint.closure;
+    layout.mixed_mode = !mixed_mode_key(study).empty();
+    return layout;
+}
+
+std::string outlines_text(const Study& study)
+{
+    const GeometryInput& g = study.geometry;
+    std::string text;
+    for (const dem::DrawnUnit& unit : g.units) {
+        if (!text.empty()) text += "; ";
+        if (unit.material > 0) text += g.layers[unit.material - 1] + ": ";
+        text += outline_text(unit);
+    }
+    return text;
+}
+
+std::string outlines_mark(const Study& study)
+{
+    return std::to_string(study.geometry.units.size()) + " outlines, " +
+           check_sum(outlines_text(study));
+}
+
+} // namespace app

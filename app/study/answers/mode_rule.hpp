@@ -1,0 +1,20 @@
+#pragma once
+/// The rules by which walls are read, in words.
+
+#include "app/input/study/study.hpp"
+
+#include <string>
+
+namespace app {
+
+/// "force first comes down to 80 % of the peak"
+[[nodiscard]] std::string ultimate_text(const FragilityInput& f);
+
+/// " The push goes to and fro; values are read on the mean of the backbones of both
+/// directions."; empty of a push that goes one way.
+[[nodiscard]] std::string backbone_text(const Study& study);
+
+/// "Mixed: ...; otherwise rocking", with the thresholds; no full stop.
+[[nodiscard]] std::string mode_rule_text(const FragilityInput& f);
+
+} // namespace app

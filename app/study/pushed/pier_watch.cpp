@@ -1,0 +1,58 @@
+#include "app/study/pushed/pier_watch.hpp"
+
+#include "app/input/wall/wall_geometry.hpp"
+#include "app/study/pushed/wall_openings.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace app {
+
+PierWatch::PierWatch(const Study& study, const dem::Layout& layout, dem::PushPlan& plan)
+    : study_(study)
+{
+    if (!tells_piers(study)) return;
+    probe_.emplace(layout, dem::piers_of(wall_openings(study), wall_extent(study)));
+    const double every = plan.snapshot_every;
+    plan.snapshot_every = plan.record_every;
+    plan.mean_stresses = true;
+    plan.sink = {
+        .take =
+            [this, every, next = plan.sink.take](std::size_t wall, dem::Snapshot&& shot) {
+                Watched& w = watched(wall);
+                w.history.push_back(pier_instant(*probe_, shot));
+                constexpr double kRounding = 1e-9; // as dem/solver/wall_run.cpp
+                if (every <= 0.0 || std::abs(shot.displacement) < w.next * (1.0 - kRounding))
+                    return;
+                w.next += every;
+                if (next)
+                    next(wall, std::move(shot));
+                else
+                    w.kept.push_back(std::move(shot));
+            },
+        .forget =
+            [this, next = plan.sink.forget](std::size_t wall) {
+                watched(wall) = {};
+                if (next) next(wall);
+            }};
+}
+
+PierWatch::Watched& PierWatch::watched(std::size_t wall)
+{
+    const std::lock_guard lock(mutex_);
+    return walls_[wall];
+}
+
+void PierWatch::add_to(std::size_t wall, PushedWall& pushed)
+{
+    if (!probe_) return;
+    Watched w;
+    {
+        const std::lock_guard lock(mutex_);
+        if (auto known = walls_.extract(wall)) w = std::move(known.mapped());
+    }
+    pushed.result.snapshots = std::move(w.kept);
+    read_piers(study_, *probe_, w.history, pushed);
+}
+
+} // namespace app

@@ -1,0 +1,43 @@
+#include "app/study/pushed/wall_frames.hpp"
+
+#include "app/input/study/study.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace app {
+
+dem::PushPlan bare_plan(const Study& study)
+{
+    dem::PushPlan plan = push_plan(study);
+    plan.snapshot_every = 0.0;
+    plan.snapshot_at_peak = false;
+    return plan;
+}
+
+int film_frames(const Study& study)
+{
+    if (push_way(study).direction != 0) return kFilmFrames;
+    const auto ways = static_cast<int>(push_plan(study).targets.size());
+    return std::clamp(ways * kFramesOfAWay, kFilmFrames, kMostFilmFrames);
+}
+
+double film_step(const Study& study) { return push_way(study).length / film_frames(study); }
+
+dem::PushPlan filmed_plan(const Study& study)
+{
+    dem::PushPlan plan = bare_plan(study);
+    plan.snapshot_every = film_step(study);
+    return plan;
+}
+
+std::vector<dem::Snapshot> frames_of(dem::PushResult&& result)
+{
+    std::vector<dem::Snapshot> frames = std::move(result.snapshots);
+    const bool whole =
+        !frames.empty() && frames.back().displacement == result.at_end.displacement;
+    if (!whole) frames.push_back(std::move(result.at_end));
+    return frames;
+}
+
+} // namespace app

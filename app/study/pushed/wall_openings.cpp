@@ -1,0 +1,113 @@
+#include "app/study/pushed/wall_openings.hpp"
+
+#include "app/input/study/study.hpp"
+#include "app/input/wall/wall_geometry.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace app {
+namespace {
+
+using Piece = std::pair<double, double>; ///< from x to x
+
+/// Where the line at height z crosses an outline, as the extent of the outline along it; empty
+/// where it does not.
+Piece crossed(const std::vector<dem::Point>& outline, double z)
+{
+    Piece piece{0.0, 0.0};
+    bool any = false;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const dem::Point a = outline[i], b = outline[(i + 1) % outline.size()];
+        if ((a.z > z) == (b.z > z)) continue;
+        const double x = a.x + (b.x - a.x) * (z - a.z) / (b.z - a.z);
+        piece = any ? Piece{std::min(piece.first, x), std::max(piece.second, x)} : Piece{x, x};
+        any = true;
+    }
+    return piece;
+}
+
+/// Gaps above each other.
+struct Shaft {
+    std::vector<Gap> gaps;
+    double bottom = 0.0, top = 0.0; ///< [m]
+
+    [[nodiscard]] dem::Opening opening() const
+    {
+        double from = 0.0, to = 0.0;
+        for (const Gap& g : gaps) {
+            from += g.from / static_cast<double>(gaps.size());
+            to += g.to / static_cast<double>(gaps.size());
+        }
+        return {from, bottom, to - from, top - bottom};
+    }
+};
+
+bool lies_above(const Gap& upper, const Gap& lower)
+{
+    const double common = std::min(upper.to, lower.to) - std::max(upper.from, lower.from);
+    return common > 0.5 * std::min(upper.width(), lower.width());
+}
+
+std::vector<dem::Opening> openings_of_drawing(const Study& study)
+{
+    constexpr int kHeights = 200,
+                  kFewest = 4; // levels looked at, and those that an opening has
+    const double rise = wall_height(study) / kHeights, least = least_opening(study);
+    std::vector<Shaft> open, closed;
+    for (int i = 0; i < kHeights; ++i) {
+        const double z = rise * (i + 0.5);
+        std::vector<Shaft> next;
+        for (const Gap& gap : gaps_at(study.geometry.units, z, least)) {
+            const auto below = std::ranges::find_if(
+                open, [&](const Shaft& s) { return lies_above(gap, s.gaps.back()); });
+            if (below == open.end()) {
+                next.push_back({{gap}, z - 0.5 * rise, z + 0.5 * rise});
+                continue;
+            }
+            below->gaps.push_back(gap);
+            below->top = z + 0.5 * rise;
+            next.push_back(std::move(*below));
+            open.erase(below);
+        }
+        closed.insert(closed.end(), open.begin(), open.end());
+        open = std::move(next);
+    }
+    closed.insert(closed.end(), open.begin(), open.end());
+    std::vector<dem::Opening> openings;
+    for (const Shaft& s : closed)
+        if (s.gaps.size() >= kFewest) openings.push_back(s.opening());
+    return openings;
+}
+
+} // namespace
+
+std::vector<Gap> gaps_at(const std::vector<dem::DrawnUnit>& units, double z, double least)
+{
+    std::vector<Piece> pieces;
+    for (const dem::DrawnUnit& u : units)
+        if (const Piece p = crossed(u.outline, z); p.second > p.first) pieces.push_back(p);
+    std::ranges::sort(pieces);
+    std::vector<Gap> gaps;
+    for (std::size_t i = 1; i < pieces.size(); ++i) {
+        const Gap gap{pieces[i - 1].second, pieces[i].first};
+        if (gap.width() > least) gaps.push_back(gap);
+        pieces[i].second = std::max(pieces[i].second, pieces[i - 1].second);
+    }
+    return gaps;
+}
+
+double least_opening(const Study& study)
+{
+    constexpr double kOpening = 0.05; // of the length of the wall
+    return kOpening * wall_length(study);
+}
+
+std::vector<dem::Opening> wall_openings(const Study& study)
+{
+    if (!is_drawn(study)) return study.wall.openings;
+    return study.geometry.rubble ? std::vector<dem::Opening>() : openings_of_drawing(study);
+}
+
+} // namespace app

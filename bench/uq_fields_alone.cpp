@@ -1,8 +1,0 @@
-#include "bench/uq_fields.hpp"
-
-namespace bench {
-
-/// OpenTURNS is not installed.
-OtherTimes other_times(int) { return {}; }
-
-} // namespace bench

@@ -1,7 +1,0 @@
-#include "bench/uq_sampling.hpp"
-
-namespace bench {
-
-SamplingTimes openturns_times(int) { return {}; }
-
-} // namespace bench

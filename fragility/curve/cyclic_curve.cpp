@@ -1,0 +1,293 @@
+#include "fragility/curve/cyclic_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace fragility {
+namespace {
+
+void check_path(const Path& path)
+{
+    if (path.displacement.size() != path.force.size())
+        throw std::invalid_argument("path: as many displacements as forces are needed");
+    const auto finite = [](double x) { return std::isfinite(x); };
+    if (!std::all_of(path.displacement.begin(), path.displacement.end(), finite) ||
+        !std::all_of(path.force.begin(), path.force.end(), finite))
+        throw std::invalid_argument("path: a displacement or force is not finite");
+}
+
+/// Value of y on the line through two points, at x between them.
+double between(double x0, double y0, double x1, double y1, double x)
+{
+    return x1 == x0 ? y1 : y0 + (y1 - y0) * (x - x0) / (x1 - x0);
+}
+
+/// Where the force comes to zero after the point `from`, up to the point `last`, or on the way
+/// on to the next turn: what comes back the way it went has no force at zero displacement, to
+/// rounding, and may get there just beyond it. Where the way ends before, a force below
+/// kNoForce of that at `from` is none.
+std::optional<double> zero_force(const Path& p, std::size_t from, std::size_t last)
+{
+    constexpr double kNoForce = 0.005; // a free choice
+    const double sign = p.force[from] > 0.0 ? 1.0 : -1.0;
+    if (p.force[from] == 0.0) return p.displacement[from];
+    const auto goes_on = [&](std::size_t i) {
+        const double way = p.displacement[last] - p.displacement[from];
+        return i < p.force.size() && (p.displacement[i] - p.displacement[i - 1]) * way >= 0.0;
+    };
+    std::size_t i = from + 1;
+    for (; i <= last || goes_on(i); ++i)
+        if (sign * p.force[i] <= 0.0)
+            return between(p.force[i - 1], p.displacement[i - 1], p.force[i], p.displacement[i],
+                           0.0);
+    const bool none = i > from + 1 && sign * p.force[i - 1] < kNoForce * sign * p.force[from];
+    return none ? std::optional(p.displacement[i - 1]) : std::nullopt;
+}
+
+Cycle cycle_between(const Path& p, std::size_t begin, std::size_t end, bool closed)
+{
+    Cycle c;
+    c.begin = begin;
+    c.end = end;
+    c.closed = closed;
+    std::size_t plus = begin, minus = begin;
+    for (std::size_t i = begin; i <= end; ++i) {
+        if (p.displacement[i] > p.displacement[plus]) plus = i;
+        if (p.displacement[i] < p.displacement[minus]) minus = i;
+        c.force_plus = std::max(c.force_plus, p.force[i]);
+        c.force_minus = std::min(c.force_minus, p.force[i]);
+        if (i > begin)
+            c.energy += 0.5 * (p.force[i] + p.force[i - 1]) *
+                        (p.displacement[i] - p.displacement[i - 1]);
+    }
+    if (p.displacement[plus] > 0.0) {
+        c.displacement_plus = p.displacement[plus];
+        c.force_at_plus = p.force[plus];
+        c.residual_plus = zero_force(p, plus, end);
+    }
+    if (p.displacement[minus] < 0.0) {
+        c.displacement_minus = p.displacement[minus];
+        c.force_at_minus = p.force[minus];
+        c.residual_minus = zero_force(p, minus, end);
+    }
+    return c;
+}
+
+int sign_of(double x) { return (x > 0.0) - (x < 0.0); }
+
+/// Forces of a backbone at a displacement within it: one unless there is a step.
+struct Step {
+    double before = 0.0, after = 0.0;
+};
+
+Step forces_at(const Backbone& b, double x)
+{
+    const auto& d = b.displacement;
+    const auto last = static_cast<std::size_t>(std::upper_bound(d.begin(), d.end(), x) -
+                                               d.begin()),
+               first = static_cast<std::size_t>(std::lower_bound(d.begin(), d.end(), x) -
+                                                d.begin());
+    if (first < last) return {b.force[first], b.force[last - 1]};
+    const double f = between(d[first - 1], b.force[first - 1], d[first], b.force[first], x);
+    return {f, f};
+}
+
+/// Takes out the points below the straight line from point `from` to the largest force after
+/// it.
+void bridge(Backbone& b, std::size_t from)
+{
+    const auto largest = std::max_element(
+        b.force.begin() + static_cast<std::ptrdiff_t>(from) + 1, b.force.end());
+    const auto top = static_cast<std::size_t>(largest - b.force.begin());
+    const Backbone whole = b;
+    b.displacement.resize(from + 1);
+    b.force.resize(from + 1);
+    for (std::size_t i = from + 1; i < whole.force.size(); ++i) {
+        const double line =
+            between(whole.displacement[from], whole.force[from], whole.displacement[top],
+                    whole.force[top], whole.displacement[i]);
+        if (i < top && whole.force[i] < line) continue;
+        b.displacement.push_back(whole.displacement[i]);
+        b.force.push_back(whole.force[i]);
+    }
+}
+
+/// A path that is not the solver's may end this share of its width off zero. The solver's ends
+/// there exactly.
+constexpr double kHome = 0.005;
+
+/// A part of the path on one side of zero displacement, with the points between which it leaves
+/// and comes back.
+struct Excursion {
+    int side = 0;
+    std::size_t begin = 0, end = 0;
+};
+
+std::vector<Excursion> excursions(const Path& path)
+{
+    std::vector<Excursion> found;
+    bool open = false;
+    for (std::size_t i = 0; i < path.displacement.size(); ++i) {
+        const int side = sign_of(path.displacement[i]);
+        if (open && (side == 0 || side == found.back().side)) {
+            found.back().end = i;
+            open = side != 0;
+        } else if (side != 0) {
+            found.push_back({side, i > 0 ? i - 1 : 0, i});
+            open = true;
+        }
+    }
+    return found;
+}
+
+} // namespace
+
+std::vector<Cycle> cycles(const Path& path)
+{
+    check_path(path);
+    const std::vector<Excursion> parts = excursions(path);
+    std::vector<Cycle> found;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        const std::size_t begin = parts[k].begin;
+        // A cycle of both sides begins with the side that the path went to first.
+        if (parts[k].side == parts.front().side && k + 1 < parts.size() &&
+            parts[k + 1].side != parts[k].side)
+            ++k;
+        found.push_back(cycle_between(path, begin, parts[k].end, k + 1 < parts.size()));
+        Cycle& c = found.back();
+        const double width = c.displacement_plus - c.displacement_minus;
+        c.closed = c.closed || std::abs(path.displacement[c.end]) <= kHome * width;
+    }
+    return found;
+}
+
+double amplitude(const Cycle& c)
+{
+    const bool both = c.displacement_plus > 0.0 && c.displacement_minus < 0.0;
+    return (c.displacement_plus - c.displacement_minus) * (both ? 0.5 : 1.0);
+}
+
+std::optional<double> equivalent_damping(const Cycle& c)
+{
+    const double fd =
+        c.force_at_plus * c.displacement_plus + c.force_at_minus * c.displacement_minus;
+    if (!(fd > 0.0)) return std::nullopt;
+    return c.energy / (std::numbers::pi * fd);
+}
+
+std::optional<double> secant_stiffness(const Cycle& c)
+{
+    const double width = c.displacement_plus - c.displacement_minus;
+    if (!(width > 0.0)) return std::nullopt;
+    return (c.force_at_plus - c.force_at_minus) / width;
+}
+
+Backbone backbone(const Path& path, int direction)
+{
+    check_path(path);
+    if (direction != 1 && direction != -1)
+        throw std::invalid_argument("backbone: the direction must be 1 or -1");
+    Backbone b{{0.0}, {0.0}};
+    double farthest = 0.0;
+    bool came_back = false;          // since the farthest point
+    std::optional<std::size_t> left; // the point that the path left and has passed again
+    for (std::size_t i = 0; i < path.displacement.size(); ++i) {
+        const double x = direction * path.displacement[i], f = direction * path.force[i];
+        came_back = came_back || x < farthest;
+        if (x <= farthest) continue;
+        if (came_back) {
+            if (left) bridge(b, *left);
+            left = b.force.size() - 1;
+            const double again = between(direction * path.displacement[i - 1],
+                                         direction * path.force[i - 1], x, f, farthest);
+            if (again != b.force.back()) { // else the path passes the point that it left
+                b.displacement.push_back(farthest);
+                b.force.push_back(again);
+            }
+            came_back = false;
+        }
+        b.displacement.push_back(x);
+        b.force.push_back(f);
+        farthest = x;
+    }
+    if (left) bridge(b, *left);
+    return b;
+}
+
+FirstLoading first_loading(const Path& path, int direction, double most)
+{
+    check_path(path);
+    if (direction != 1 && direction != -1)
+        throw std::invalid_argument("first loading: the direction must be 1 or -1");
+    const auto x = [&](std::size_t i) { return direction * path.displacement[i]; };
+    const auto f = [&](std::size_t i) { return direction * path.force[i]; };
+    FirstLoading first;
+    bool comes_from_other_side = false, is_first = true;
+    for (const Excursion& e : excursions(path)) {
+        if (e.side != direction) {
+            comes_from_other_side = true;
+            continue;
+        }
+        const std::size_t out = x(e.begin) > 0.0 ? e.begin : e.begin + 1; // already out there
+        const double at_zero =
+            comes_from_other_side && out > 0
+                ? std::max(0.0, between(x(out - 1), f(out - 1), x(out), f(out), 0.0))
+                : 0.0;
+        if (is_first && at_zero > 0.0) {
+            std::size_t i = out;
+            while (i > 1 && f(i - 1) > 0.0) --i;
+            first.force = at_zero;
+            first.residual = std::max(0.0, -between(f(i - 1), x(i - 1), f(i), x(i), 0.0));
+        }
+        is_first = false;
+        if (at_zero > most) break;
+        for (std::size_t i = e.begin; i <= e.end; ++i)
+            first.reach = std::max(first.reach, x(i));
+    }
+    return first;
+}
+
+Backbone from_own_zero(const Curve& curve, double residual)
+{
+    Backbone b{{0.0}, {0.0}};
+    for (std::size_t i = 0; i < curve.displacement.size(); ++i) {
+        if (curve.displacement[i] == 0.0 && curve.force[i] == 0.0) continue;
+        b.displacement.push_back(curve.displacement[i] + residual);
+        b.force.push_back(curve.force[i]);
+    }
+    return b;
+}
+
+Backbone mean(const Backbone& a, const Backbone& b)
+{
+    const double reach = std::min(a.displacement.back(), b.displacement.back());
+    std::vector<double> all;
+    for (const Backbone* one : {&a, &b})
+        for (const double x : one->displacement)
+            if (x <= reach) all.push_back(x);
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    Backbone m;
+    const auto add = [&](double x, double f) {
+        m.displacement.push_back(x);
+        m.force.push_back(f);
+    };
+    for (const double x : all) {
+        const Step p = forces_at(a, x), q = forces_at(b, x);
+        add(x, 0.5 * (p.before + q.before));
+        if (p.after != p.before || q.after != q.before) add(x, 0.5 * (p.after + q.after));
+    }
+    return m;
+}
+
+LimitDisplacement worse(const LimitDisplacement& a, const LimitDisplacement& b)
+{
+    for (const LimitDisplacement& one : {a, b})
+        if (one.reading == Reading::not_defined) return one;
+    const bool equal = a.displacement == b.displacement;
+    return b.displacement < a.displacement || (equal && b.reading == Reading::observed) ? b : a;
+}
+
+} // namespace fragility

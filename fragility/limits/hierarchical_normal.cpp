@@ -1,0 +1,296 @@
+#include "fragility/limits/hierarchical_normal.hpp"
+
+#include "core/gauss_legendre.hpp"
+#include "core/level_normal.hpp"
+#include "fragility/laws/standard_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace fragility {
+namespace {
+
+struct Node {
+    double at, weight;
+};
+
+/// Composite rule of `panels` x 16 nodes on [lower, upper], ascending.
+std::vector<Node> rule_on(double lower, double upper, std::size_t panels)
+{
+    std::vector<Node> nodes;
+    const double half = 0.5 * (upper - lower) / static_cast<double>(panels);
+    for (std::size_t p = 0; p < panels; ++p) {
+        const double middle = lower + half * (2.0 * static_cast<double>(p) + 1.0);
+        for (std::size_t i = core::kGauss16.node.size(); i-- > 0;)
+            nodes.push_back(
+                {middle - half * core::kGauss16.node[i], half * core::kGauss16.weight[i]});
+        for (std::size_t i = 0; i < core::kGauss16.node.size(); ++i)
+            nodes.push_back(
+                {middle + half * core::kGauss16.node[i], half * core::kGauss16.weight[i]});
+    }
+    return nodes;
+}
+
+/// Nodes of a scale on (0, infinity), as scale = unit u / (1 - u); weights hold the prior.
+std::vector<Node> scale_rule(double unit, std::size_t panels, const ScalePrior& prior)
+{
+    std::vector<Node> nodes = rule_on(0.0, 1.0, panels);
+    for (Node& n : nodes) {
+        const double u = n.at;
+        n.at = unit * u / (1.0 - u);
+        n.weight *= unit / ((1.0 - u) * (1.0 - u));
+        if (prior.half_normal > 0.0)
+            n.weight *= std::exp(-0.5 * std::pow(n.at / prior.half_normal, 2));
+    }
+    return nodes;
+}
+
+/// A level under given tau and s: what its values say of mu.
+struct Level {
+    core::LevelSums seen;
+    std::vector<std::pair<double, double>> bounds; ///< censored: y, s
+};
+
+double error_of(const LevelledValue& v, double s) { return v.error > 0.0 ? v.error : s; }
+
+std::vector<Level> levels_of(std::span<const LevelledValue> data, std::size_t n, double s)
+{
+    std::vector<Level> levels(n);
+    for (const LevelledValue& v : data) {
+        Level& l = levels[v.level];
+        const double error = error_of(v, s);
+        if (v.at_least) {
+            l.bounds.emplace_back(v.value, error);
+            continue;
+        }
+        const double w = 1.0 / (error * error);
+        l.seen.precision += w;
+        l.seen.sum += w * v.value;
+        l.seen.squares += w * v.value * v.value;
+        l.seen.log_scale += std::log(error);
+    }
+    return levels;
+}
+
+/// ln of the likelihood of the values of a level for one mu, and the mean of mu + d.
+struct LevelTerm {
+    double log_likelihood, mean;
+};
+
+LevelTerm level_term(const Level& l, double mu, double tau)
+{
+    // d has precision 1 / tau^2; with the values seen x = mu + d is normal (mean, variance)
+    const core::LevelNormal x = core::level_normal(l.seen, mu, tau * tau);
+    const double misfit =
+        l.seen.squares - 2.0 * mu * l.seen.sum + mu * mu * l.seen.precision -
+        x.variance * std::pow(l.seen.sum - mu * l.seen.precision, 2); // of the values about mu
+    LevelTerm term{-l.seen.log_scale - 0.5 * std::log(x.shrink) - 0.5 * misfit, x.mean};
+    if (l.bounds.empty()) return term;
+    static const std::vector<Node> kRule = rule_on(-7.0, 7.0, 2);
+    double total = 0.0, moment = 0.0;
+    for (const Node& n : kRule) {
+        const double at = x.mean + std::sqrt(x.variance) * n.at;
+        double p = n.weight * std::exp(StandardNormal::log_density(n.at).value);
+        for (const auto& [bound, error] : l.bounds)
+            p *= StandardNormal::survival((bound - at) / error);
+        total += p;
+        moment += p * at;
+    }
+    if (!(total > 0.0)) return {-core::kInfinity, x.mean};
+    return {term.log_likelihood + std::log(total), moment / total};
+}
+
+/// Where mu lies for given tau and s: a bound pulls it up, but less than a value at the larger
+/// of the bound and the mean of the values seen would.
+std::pair<double, double> mu_range(std::span<const LevelledValue> data, std::size_t n,
+                                   double tau, double s)
+{
+    const auto mean = [&](double least, bool all) {
+        std::vector<double> precision(n, 0.0), sum(n, 0.0);
+        for (const LevelledValue& v : data) {
+            if (v.at_least && !(all && v.value > least)) continue;
+            const double w = 1.0 / (error_of(v, s) * error_of(v, s));
+            precision[v.level] += w;
+            sum[v.level] += w * v.value;
+        }
+        double p = 0.0, y = 0.0;
+        for (std::size_t i = 0; i < n; ++i) {
+            const double shrink = 1.0 + tau * tau * precision[i];
+            p += precision[i] / shrink;
+            y += sum[i] / shrink;
+        }
+        return std::pair{y / p, 1.0 / std::sqrt(p)};
+    };
+    const auto [seen, error] = mean(0.0, false);
+    return {seen - 8.0 * error, std::max(seen, mean(seen, true).first) + 8.0 * error};
+}
+
+/// @return number of levels
+std::size_t check(std::span<const LevelledValue> data, const ScalePrior& prior)
+{
+    std::size_t n = 0, seen = 0, known = 0;
+    for (const LevelledValue& v : data) {
+        if (!std::isfinite(v.value) || !(v.error >= 0.0) || !std::isfinite(v.error))
+            throw std::invalid_argument("hierarchical model: a value or an error is no number");
+        n = std::max(n, v.level + 1);
+        seen += v.at_least ? 0 : 1;
+        known += v.error > 0.0 ? 1 : 0;
+    }
+    if (seen < 3)
+        throw std::invalid_argument("hierarchical model: fewer than three values are observed");
+    if (known != 0 && known != data.size())
+        throw std::invalid_argument(
+            "hierarchical model: an error is known of some values only");
+    for (std::size_t i = 0; i < n; ++i)
+        if (std::ranges::count(data, i, &LevelledValue::level) == 0)
+            throw std::invalid_argument("hierarchical model: a level without values");
+    if (!(prior.half_normal >= 0.0))
+        throw std::invalid_argument("hierarchical model: a prior without scale");
+    if (prior.half_normal == 0.0 && (n < 3 || known == 0))
+        throw std::invalid_argument(
+            "hierarchical model: a flat prior needs three levels and known errors");
+    return n;
+}
+
+/// The size of the scales: the standard deviation of the values seen.
+double spread(std::span<const LevelledValue> data)
+{
+    double n = 0.0, mean = 0.0, square = 0.0;
+    for (const LevelledValue& v : data) n += v.at_least ? 0.0 : 1.0;
+    for (const LevelledValue& v : data) mean += v.at_least ? 0.0 : v.value / n;
+    for (const LevelledValue& v : data)
+        square += v.at_least ? 0.0 : (v.value - mean) * (v.value - mean) / n;
+    return std::max(std::sqrt(square), 1e-3);
+}
+
+void add_moments(HierarchicalPosterior& posterior)
+{
+    for (const auto& p : posterior.points) {
+        posterior.mu += p.weight * p.mu;
+        posterior.tau += p.weight * p.tau;
+        posterior.scatter += p.weight * (p.tau * p.tau + p.s * p.s);
+    }
+    for (const auto& p : posterior.points) {
+        posterior.mu_error += p.weight * std::pow(p.mu - posterior.mu, 2);
+        posterior.tau_error += p.weight * std::pow(p.tau - posterior.tau, 2);
+    }
+    posterior.mu_error = std::sqrt(posterior.mu_error);
+    posterior.tau_error = std::sqrt(posterior.tau_error);
+    posterior.scatter = std::sqrt(posterior.scatter);
+}
+
+/// Smallest x at which a function that rises reaches p.
+template <class Rising> double inverse(Rising rising, double lower, double upper, double p)
+{
+    for (int i = 0; i < 80; ++i) {
+        const double middle = 0.5 * (lower + upper);
+        (rising(middle) < p ? lower : upper) = middle;
+    }
+    return 0.5 * (lower + upper);
+}
+
+/// Quantile of weighted values, linear between the middles of their weights.
+double weighted_quantile(std::vector<std::pair<double, double>> values, double p)
+{
+    std::ranges::sort(values);
+    double below = 0.0, last_x = 0.0, last_p = 0.0;
+    std::size_t i = 0;
+    while (i < values.size()) {
+        const double x = values[i].first;
+        double weight = 0.0;
+        for (; i < values.size() && values[i].first == x; ++i) weight += values[i].second;
+        const double here = below + 0.5 * weight;
+        if (here >= p) return last_x + (x - last_x) * (p - last_p) / (here - last_p);
+        below += weight;
+        last_x = x;
+        last_p = here;
+    }
+    return last_x;
+}
+
+} // namespace
+
+HierarchicalPosterior hierarchical_posterior(std::span<const LevelledValue> data,
+                                             const ScalePrior& prior)
+{
+    const std::size_t n = check(data, prior);
+    const bool known = data.front().error > 0.0;
+    const double unit = spread(data);
+    const std::vector<Node> taus = scale_rule(unit, known ? 16 : 2, prior);
+    const std::vector<Node> errors =
+        known ? std::vector<Node>{{0.0, 1.0}} : scale_rule(unit, 2, prior);
+    HierarchicalPosterior posterior;
+    posterior.level_means.assign(n, 0.0);
+    std::vector<double> log_weights, means;
+    for (const Node& s : errors) {
+        const std::vector<Level> levels = levels_of(data, n, s.at);
+        for (const Node& tau : taus) {
+            const auto [lower, upper] = mu_range(data, n, tau.at, s.at);
+            for (const Node& mu : rule_on(lower, upper, 3)) {
+                double log_weight =
+                    std::log(s.weight) + std::log(tau.weight) + std::log(mu.weight);
+                for (const Level& l : levels) {
+                    const LevelTerm term = level_term(l, mu.at, tau.at);
+                    log_weight += term.log_likelihood;
+                    means.push_back(term.mean);
+                }
+                log_weights.push_back(log_weight);
+                posterior.points.push_back({0.0, mu.at, tau.at, s.at});
+            }
+        }
+    }
+    const double most = std::ranges::max(log_weights);
+    double total = 0.0;
+    for (std::size_t k = 0; k < log_weights.size(); ++k)
+        total += posterior.points[k].weight = std::exp(log_weights[k] - most);
+    for (std::size_t k = 0; k < log_weights.size(); ++k) {
+        posterior.points[k].weight /= total;
+        for (std::size_t i = 0; i < n; ++i)
+            posterior.level_means[i] += posterior.points[k].weight * means[k * n + i];
+    }
+    add_moments(posterior);
+    return posterior;
+}
+
+double mu_quantile(const HierarchicalPosterior& posterior, double p)
+{
+    std::vector<std::pair<double, double>> values;
+    for (const auto& point : posterior.points) values.emplace_back(point.mu, point.weight);
+    return weighted_quantile(std::move(values), p);
+}
+
+double tau_quantile(const HierarchicalPosterior& posterior, double p)
+{
+    std::vector<std::pair<double, double>> values;
+    for (const auto& point : posterior.points) values.emplace_back(point.tau, point.weight);
+    return weighted_quantile(std::move(values), p);
+}
+
+double scatter_quantile(const HierarchicalPosterior& posterior, double p)
+{
+    std::vector<std::pair<double, double>> values;
+    for (const auto& point : posterior.points)
+        values.emplace_back(std::hypot(point.tau, point.s), point.weight);
+    return weighted_quantile(std::move(values), p);
+}
+
+core::Interval predictive_interval(const HierarchicalPosterior& posterior, double confidence)
+{
+    if (!(confidence > 0.0 && confidence < 1.0))
+        throw std::invalid_argument("predictive interval: a confidence not in (0, 1)");
+    const auto cdf = [&](double y) {
+        double p = 0.0;
+        for (const auto& point : posterior.points)
+            p += point.weight *
+                 StandardNormal::cdf((y - point.mu) / std::hypot(point.tau, point.s));
+        return p;
+    };
+    const double wide =
+        100.0 * std::hypot(posterior.scatter, posterior.mu_error) + std::abs(posterior.mu);
+    const auto at = [&](double p) { return inverse(cdf, -wide, wide, p); };
+    return {at(0.5 * (1.0 - confidence)), at(0.5 * (1.0 + confidence)), confidence};
+}
+
+} // namespace fragility

@@ -1,0 +1,189 @@
+#include "fragility/limits/limit_quantiles.hpp"
+
+#include "fragility/fits/observed_quantile.hpp"
+#include "fragility/fits/two_heaps.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fragility {
+namespace {
+
+/// Walls that stood when their push ended, for one that is still pushed.
+constexpr double kEndedPerPushed = 5.0;
+
+/// Share of those reached up to which a law of censored walls is read.
+constexpr double kReadOfReached = 0.5;
+
+bool stands(const Observation& o) { return o.upper == core::kInfinity; }
+
+std::vector<Observation> all_walls(const std::vector<ModeGroup>& modes)
+{
+    std::vector<Observation> all;
+    for (const ModeGroup& m : modes) all.insert(all.end(), m.limits.begin(), m.limits.end());
+    return all;
+}
+
+/// Observed or standing, of weight 1: what Kaplan and Meier's shares need.
+bool plain(const Observation& o)
+{
+    return o.weight == 1.0 && std::isfinite(o.lower) && (o.lower == o.upper || stands(o));
+}
+
+/// Cut where walls were no longer tested.
+LimitQuantile cut(double share, double value, core::Interval interval, double end,
+                  bool observed)
+{
+    const bool known = std::isfinite(value) && is_known(value, end);
+    if (!is_known(interval.upper, end)) interval.upper = core::kInfinity;
+    if (!known)
+        interval = {std::min(interval.lower, end), core::kInfinity, interval.confidence};
+    return {share, known ? std::optional(value) : std::nullopt, interval, observed};
+}
+
+std::vector<LimitQuantile> from_shares(std::span<const Observation> walls, double end,
+                                       double confidence)
+{
+    std::vector<LimitQuantile> found;
+    const auto seen = observed_quantiles(walls, kLimitShares, confidence);
+    for (std::size_t i = 0; i < seen.size(); ++i)
+        found.push_back(cut(kLimitShares[i], seen[i].value.value_or(core::kInfinity),
+                            seen[i].interval, end, true));
+    return found;
+}
+
+std::vector<LimitQuantile> from_mixture(const std::vector<ModeGroup>& modes, double end,
+                                        double confidence)
+{
+    std::vector<LimitQuantile> found;
+    const auto mixture = mixture_quantiles(modes, kLimitShares, confidence);
+    for (std::size_t i = 0; i < mixture.size(); ++i)
+        found.push_back(
+            cut(kLimitShares[i], mixture[i].value, mixture[i].interval, end, false));
+    return found;
+}
+
+/// The share reached at `end` as observed.
+double reached_at(std::span<const Observation> walls, double end)
+{
+    if (!std::isfinite(end)) return 1.0;
+    return observed_shares(walls, std::vector{end * (1.0 + kEndsTogether)}).front().share;
+}
+
+/// Quantiles of one law, and of the shares where the law is not to be trusted.
+std::vector<LimitQuantile> from_law(const PerformanceLimits& law,
+                                    std::span<const Observation> walls, double end,
+                                    double confidence)
+{
+    const bool censored = std::isfinite(end);
+    std::vector<LimitQuantile> found;
+    const bool shares_known = std::ranges::all_of(walls, plain);
+    const double trusted =
+        censored && shares_known ? kReadOfReached * reached_at(walls, end) : 1.0;
+    const auto seen = shares_known ? from_shares(walls, end, confidence) : found;
+    for (std::size_t i = 0; i < kLimitShares.size(); ++i) {
+        const DriftLimit& d = law.drifts[i];
+        found.push_back(d.share <= trusted ? cut(d.share, d.drift, d.interval, end, false)
+                                           : seen[i]);
+    }
+    return found;
+}
+
+/// Whether modes are more than a name for walls that stood: one of them has walls of both
+/// kinds, or all walls fell.
+bool tell_apart(const std::vector<ModeGroup>& modes)
+{
+    if (modes.size() < 2) return false;
+    bool any_stands = false;
+    for (const ModeGroup& m : modes) {
+        const auto standing = static_cast<std::size_t>(std::ranges::count_if(m.limits, stands));
+        if (standing > 0 && standing < m.limits.size()) return true;
+        any_stands = any_stands || standing > 0;
+    }
+    return !any_stands;
+}
+
+/// Whether values part into two heaps that lie apart.
+bool lie_apart(const Parting& p, double gain, double apart)
+{
+    return p.gain >= gain && p.apart >= apart;
+}
+
+/// Heaps of walls that all reached the limit state, where they lie apart for sure: told by the
+/// drifts, whatever modes the walls are said to have. Else nothing, also of three heaps.
+std::vector<ModeGroup> heaps_apart(std::span<const Observation> walls, Law law)
+{
+    // tuned: docs/bench/fragility/limit_coverage.md; of 50 walls of one law 1 in 25 studies has
+    // them
+    constexpr double kGain = 8.0, kApart = 1.8;
+    const auto none_of_it = [](const Observation& o) { return o.lower <= 0.0; };
+    if (!std::ranges::all_of(walls, plain)) return {};
+    if (positive(law) && std::ranges::any_of(walls, none_of_it)) return {};
+    const Parting parting = best_parting(walls, positive(law));
+    if (!lie_apart(parting, kGain, kApart)) return {};
+    std::vector<ModeGroup> heaps(2, {{}, law, true});
+    for (const Observation& o : walls)
+        heaps[o.lower > parting.last ? 1 : 0].limits.push_back(o);
+    const bool three = std::ranges::any_of(heaps, [&](const ModeGroup& h) {
+        return lie_apart(best_parting(h.limits, positive(law)), 2.0 * kGain, 2.5);
+    });
+    return three ? std::vector<ModeGroup>() : heaps;
+}
+
+bool has_law(const ModeGroup& m)
+{
+    return m.described && fit(m.law, m.limits).outcome == FitOutcome::converged;
+}
+
+} // namespace
+
+double tested_to(std::span<const Observation> walls)
+{
+    std::vector<Observation> sorted(walls.begin(), walls.end());
+    std::ranges::sort(sorted, {}, &Observation::lower);
+    double pushed = 0.0, ended = 0.0, end = 0.0;
+    for (const Observation& o : sorted) pushed += o.weight;
+    for (const Observation& o : sorted) {
+        if (kEndedPerPushed * pushed >= ended) end = std::max(end, o.lower);
+        pushed -= o.weight;
+        if (stands(o)) ended += o.weight;
+    }
+    return ended > 0.0 || sorted.empty() ? end : core::kInfinity;
+}
+
+LimitQuantiles limit_quantiles(const QuantileData& data, const PerformanceLimits& law,
+                               double confidence)
+{
+    LimitQuantiles found;
+    const std::vector<Observation> walls = all_walls(data.modes);
+    found.tested_to = tested_to(walls);
+    std::vector<ModeGroup> modes = data.modes;
+    std::erase_if(modes, [](const ModeGroup& m) { return m.limits.empty(); });
+    const bool reached =
+        std::ranges::any_of(walls, [](const Observation& o) { return !stands(o); });
+    const bool own = std::ranges::none_of(walls, &Observation::capped);
+    if (!reached) return found;
+    if (modes.empty()) return found;
+    const bool well_told =
+        tell_apart(modes) && std::ranges::all_of(modes, &ModeGroup::described);
+    auto heaps = own && !well_told && !std::isfinite(found.tested_to)
+                     ? heaps_apart(walls, modes.front().law)
+                     : std::vector<ModeGroup>();
+    if (std::ranges::any_of(heaps, has_law)) {
+        found.source = QuantileSource::heaps;
+        found.at = from_mixture(heaps, found.tested_to, confidence);
+        found.heaps = std::move(heaps);
+    } else if (own && tell_apart(modes) && std::ranges::any_of(modes, has_law)) {
+        found.source = QuantileSource::mixture;
+        found.at = from_mixture(modes, found.tested_to, confidence);
+    } else if (own && law.fitted && data.described) {
+        found.source = QuantileSource::law;
+        found.at = from_law(law, walls, found.tested_to, confidence);
+    } else if (std::ranges::all_of(walls, plain)) {
+        found.source = QuantileSource::observed;
+        found.at = from_shares(walls, found.tested_to, confidence);
+    }
+    return found;
+}
+
+} // namespace fragility

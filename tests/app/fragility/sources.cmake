@@ -1,0 +1,22 @@
+drystone_tests(app_fragility
+    SOURCES
+        app/fragility/fragility_scenes.cpp
+        app/fragility/test_calibration.cpp
+        app/fragility/test_damage_counts.cpp
+        app/fragility/test_drift_csv.cpp
+        app/fragility/test_drift_limits.cpp
+        app/fragility/test_fragility_cycles.cpp
+        app/fragility/test_fragility_limits.cpp
+        app/fragility/test_fragility_means.cpp
+        app/fragility/test_fragility_modes.cpp
+        app/fragility/test_fragility_output.cpp
+        app/fragility/test_fragility_pelicun.cpp
+        app/fragility/test_fragility_states.cpp
+        app/fragility/test_fragility_study.cpp
+        app/fragility/test_fragility_text.cpp
+        app/fragility/test_model_doubt.cpp
+        app/fragility/test_pier_study.cpp
+        app/fragility/test_solver_error.cpp
+        app/fragility/test_tested_factor.cpp
+        fragility/curve/test_user_limit_states.cpp
+    LIBRARIES drystone_app_calibration drystone_app_fragility drystone_app_verbs nlohmann_json::nlohmann_json)

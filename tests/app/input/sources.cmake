@@ -1,0 +1,27 @@
+# Needs DRYSTONE_PROGRAM (path of the built program) and DRYSTONE_SOURCE_DIR as compile definitions.
+set(TEST_APP_INPUT_SOURCES
+    app/bad_input/commands.cpp
+    app/bad_input/studies.cpp
+    app/input/test_bad_input.cpp
+    app/input/test_bad_study.cpp
+    app/input/test_choices.cpp
+    app/input/test_chart_labels.cpp
+    app/input/test_code_file.cpp
+    app/input/test_command_line.cpp
+    app/input/test_compare.cpp
+    app/input/test_distribution_text.cpp
+    app/input/test_docs.cpp
+    app/input/test_joint_laws.cpp
+    app/input/test_material_presets.cpp
+    app/input/test_needed_cracks.cpp
+    app/input/test_new_study.cpp
+    app/input/test_protocol_scale.cpp
+    app/input/test_prepared_study.cpp
+    app/input/test_push_end.cpp
+    app/input/test_sheet.cpp
+    app/input/test_study.cpp
+    app/input/test_study_file.cpp
+    app/input/test_study_keys.cpp
+    app/input/test_study_scene.cpp
+    app/input/test_units.cpp
+    app/input/test_words.cpp)

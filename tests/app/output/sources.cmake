@@ -1,0 +1,16 @@
+set(TEST_APP_OUTPUT_SOURCES
+    app/output/test_atomic_output.cpp
+    app/output/test_axis_ticks.cpp
+    app/output/test_capacity_csv.cpp
+    app/output/test_chart_svg.cpp
+    app/output/test_cycles_csv.cpp
+    app/output/test_film_svg.cpp
+    app/output/test_number_text.cpp
+    app/output/test_progress.cpp
+    app/output/test_result_folder.cpp
+    app/output/test_series_folder.cpp
+    app/output/test_svg_elements.cpp
+    app/output/test_vtk_series.cpp
+    app/output/test_wall_svg.cpp
+    app/output/test_wall_view.cpp
+    scenes/snapshot_scenes.cpp)

@@ -1,0 +1,234 @@
+/// Piers read off pushes: each as a wall of its own, and the wall by the pier that governs.
+
+#include "app/input/keys/limit_state_text.hpp"
+#include "app/input/prepared_study.hpp"
+#include "app/push/limit_table.hpp"
+#include "app/push/pier_picture.hpp"
+#include "app/push/pier_table.hpp"
+#include "app/study/pushed/push_walls.hpp"
+#include "app/study/pushed/wall_openings.hpp"
+#include "dem/block/model.hpp"
+#include "tests/app/study_texts.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using Overrides = std::vector<std::string>;
+
+/// A pier of 0.6 x 0.5 m under a course that is wider by 0.1 m on both sides.
+const Overrides kUnderCourse = {
+    "wall.length=0.8 m",
+    "wall.courses=6",
+    "stone.density=0 kg/m3",
+    "beam.density=0 kg/m3",
+    "wall.openings=0 m, 0 m, 0.1 m, 0.5 m; 0.7 m, 0 m, 0.1 m, 0.5 m",
+    "lintel.bearing=0 m",
+    "load.vertical_stress=0.375 MPa",
+    "load.max_displacement=12 mm",
+    "wall.toe=free",
+    "fragility.limit_states=paper, ntc, ec8",
+    "solver.accuracy=1 %",
+    "solver.fidelity=simple"};
+
+/// The same pier alone, under a course that is as long as it.
+const Overrides kAlone = {"wall.length=0.6 m",
+                          "wall.courses=6",
+                          "stone.density=0 kg/m3",
+                          "beam.density=0 kg/m3",
+                          "load.vertical_stress=0.5 MPa",
+                          "load.max_displacement=12 mm",
+                          "wall.toe=free",
+                          "fragility.limit_states=paper, ntc, ec8",
+                          "solver.accuracy=1 %",
+                          "solver.fidelity=simple"};
+
+app::Study with(Overrides overrides, const Overrides& more = {})
+{
+    overrides.insert(overrides.end(), more.begin(), more.end());
+    return study_texts::read(study_texts::kSmallWall, overrides);
+}
+
+/// @param shots takes a snapshot at every point of the curve
+app::PushedWall pushed(const app::Study& study, std::vector<dem::Snapshot>* shots = nullptr)
+{
+    const dem::Model model = app::model_of(app::prepare(study));
+    dem::PushPlan plan = app::push_plan(study);
+    plan.snapshot_every = shots == nullptr ? 0.0 : plan.record_every;
+    app::PushedWall wall;
+    app::PushList list;
+    list.size = 1;
+    list.wall = [](std::size_t) { return app::WantedWall{}; };
+    list.done = [&](std::size_t, const app::WallDraw&, app::PushedWall&& w) {
+        wall = std::move(w);
+    };
+    app::push_walls(study, model, plan, list, 1);
+    if (shots != nullptr) *shots = wall.result.snapshots;
+    return wall;
+}
+
+/// Movement of the underside of the course that begins at this height [m].
+double movement_at(const dem::Snapshot& shot, double height)
+{
+    double sum = 0.0;
+    int n = 0;
+    for (const dem::BlockState& block : shot.blocks) {
+        const auto low = std::ranges::min_element(block.outline, {}, &dem::Point::z);
+        if (std::abs(low->z - height) > 1e-6) continue;
+        for (std::size_t p = 0; p < block.outline.size(); ++p)
+            if (std::abs(block.outline[p].z - height) < 1e-6) {
+                sum += block.displacement[p].x;
+                ++n;
+            }
+    }
+    REQUIRE(n > 0);
+    return sum / n;
+}
+
+/// A wall alone, read by the movement at a height below its load line.
+app::WallReading read_at_height(const app::Study& study, double height)
+{
+    std::vector<dem::Snapshot> shots;
+    const app::PushedWall wall = pushed(study, &shots);
+    std::vector<double> displacement, force;
+    std::size_t s = 0;
+    for (std::size_t i = 0; i < wall.displacement.size(); ++i) {
+        while (s + 2 < shots.size() && shots[s + 1].displacement < wall.displacement[i]) ++s;
+        const double from = shots[s].displacement, to = shots[s + 1].displacement,
+                     share = (wall.displacement[i] - from) / (to - from);
+        displacement.push_back((1.0 - share) * movement_at(shots[s], height) +
+                               share * movement_at(shots[s + 1], height));
+        force.push_back(wall.force[i]);
+    }
+    app::ReadingRules rules = app::reading_rules(study);
+    rules.height = height;
+    rules.direction = 0; // as piers are: movements may come back
+    rules.backbone = fragility::Side::right;
+    return app::read({displacement, force}, wall.mechanism, rules, true);
+}
+
+double limit(const app::Study& study, const app::WallReading& r, const std::string& name)
+{
+    const auto names = app::state_names(app::reading_rules(study));
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (state_name(names[i]) == name) return r.limits.at(i).displacement;
+    throw std::invalid_argument(name);
+}
+
+} // namespace
+
+TEST_CASE("pier reading: a pier has the limits of a wall of its own", "[app][pier_reading]")
+{
+    const Overrides how = {
+        GENERATE("joint.friction_angle=31.8 deg", "joint.friction_angle=15 deg")};
+    const app::Study under = with(kUnderCourse, how), alone = with(kAlone, how);
+    const app::PushedWall wall = pushed(under);
+    constexpr double kHeight = 0.5; // of the pier [m]
+    const app::WallReading own = read_at_height(alone, kHeight);
+    REQUIRE(wall.piers.size() == 1);
+    const app::PierReading& pier = wall.piers.front();
+    CHECK(pier.facts.normal_at_peak == Approx(0.375e6 * 0.8 * 0.2).epsilon(0.005));
+    CHECK(pier.facts.most_shear == Approx(peak_force(own)).epsilon(0.05));
+    CHECK(pier.mode == own.mode);
+    int known = 0;
+    const auto names = app::state_names(app::reading_rules(under));
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        INFO(state_name(names[i]));
+        const auto &a = pier.own.limits.at(i), &b = own.limits.at(i);
+        CHECK(is_observed(a) == is_observed(b));
+        if (!is_observed(a)) continue; // where the push ends says nothing
+        CHECK(a.displacement == Approx(b.displacement).epsilon(0.05));
+        ++known;
+    }
+    CHECK(known >= 7); // of 8
+}
+
+TEST_CASE("pier reading: the wall's limit is where the first pier reaches its own drift",
+          "[app][pier_reading]")
+{
+    // A short pier between a door and a window, and long ones beside them.
+    const app::Study study =
+        with({"wall.length=1.2 m", "wall.courses=6", "load.max_displacement=12 mm",
+              "wall.openings=0.2 m, 0 m, 0.2 m, 0.5 m; 0.8 m, 0.3 m, 0.2 m, 0.2 m",
+              "fragility.limit_states=ntc", "load.vertical_stress=0.3 MPa"});
+    const app::PushedWall wall = pushed(study);
+    REQUIRE(wall.piers.size() == 3);
+    const int first = app::governing_pier(wall.piers, "ntc");
+    REQUIRE(first > 0);
+    const app::PierReading& pier = wall.piers[static_cast<std::size_t>(first) - 1];
+    for (const app::PierReading& p : wall.piers)
+        if (is_observed(p.caps.front().wall))
+            CHECK(p.caps.front().wall.displacement >= pier.caps.front().wall.displacement);
+    CHECK(limit(study, wall.reading, "ntc SLC") ==
+          Approx(pier.caps.front().wall.displacement).epsilon(1e-9));
+    // By the height of the whole wall it would be 1 or 0.5 % of 0.7 m.
+    CHECK(pier.caps.front().wall.displacement < 0.005 * study.load.height * 1.4);
+    CHECK(app::limit_table(study, {wall}).rows.size() == 4);
+    CHECK(app::pier_table(study, {wall}).rows.size() == 3);
+    CHECK(app::pier_limit_table(study, {wall}).rows.size() == 12);
+    CHECK(app::spandrel_table(study, {wall}).rows.size() == 2);
+    REQUIRE(app::piers_remarks(study, wall).size() == 1);
+    CHECK(app::piers_remarks(study, wall).front().find("pier " + std::to_string(first)) !=
+          std::string::npos);
+    const std::string picture = app::pier_picture(study, app::layout_of(study), wall);
+    for (const char* const text : {"pier 1", "pier 3", " kN"})
+        CHECK(picture.find(text) != std::string::npos);
+}
+
+TEST_CASE("pier reading: snapshots that a push was to keep are kept beside those of piers",
+          "[app][pier_reading]")
+{
+    Overrides short_push = kUnderCourse;
+    std::erase(short_push, "load.max_displacement=12 mm");
+    const app::Study study = with(short_push); // to 1 mm
+    const auto taken = [&](const app::Study& pushed) {
+        std::vector<double> at;
+        dem::PushPlan plan = app::push_plan(study);
+        plan.snapshot_every = 2e-4;
+        plan.sink = {
+            .take = [&](std::size_t, dem::Snapshot&& s) { at.push_back(s.displacement); },
+            .forget = [&](std::size_t) { at.clear(); }};
+        app::PushList list;
+        list.size = 1;
+        list.wall = [](std::size_t) { return app::WantedWall{}; };
+        list.done = [](std::size_t, const app::WallDraw&, app::PushedWall&&) {};
+        app::push_walls(pushed, app::model_of(app::prepare(study)), plan, list, 1);
+        return at;
+    };
+    app::Study unwatched = study; // the same wall, whose openings nobody knows
+    unwatched.geometry.openings.clear();
+    const std::vector<double> plain = taken(unwatched);
+    CHECK(plain.size() == 6);
+    CHECK(taken(study) == plain);
+}
+
+TEST_CASE("pier reading: openings of a drawing are found where its stones leave them",
+          "[app][pier_reading]")
+{
+    // A portal: two piers of three stones, a lintel.
+    std::string outlines;
+    for (const double x : {0.0, 0.8})
+        for (const double z : {0.0, 0.2, 0.4}) {
+            const auto n = [](double v) { return std::to_string(v); };
+            outlines += n(x) + " " + n(z) + ", " + n(x + 0.2) + " " + n(z) + ", " + n(x + 0.2) +
+                        " " + n(z + 0.2) + ", " + n(x) + " " + n(z + 0.2) + "; ";
+        }
+    outlines += "0 0.6, 1 0.6, 1 0.8, 0 0.8";
+    const app::Study study =
+        study_texts::read(study_texts::kSmallWall,
+                          {"wall.outlines=" + outlines, "wall.length=", "wall.courses=",
+                           "wall.course_height=", "wall.unit_length=", "wall.unit_cracks="});
+    const auto openings = app::wall_openings(study);
+    REQUIRE(openings.size() == 1);
+    CHECK(openings[0].x == Approx(0.2).margin(0.005));
+    CHECK(openings[0].width == Approx(0.6).margin(0.005));
+    CHECK(openings[0].z == Approx(0.0).margin(0.005));
+    CHECK(openings[0].height == Approx(0.6).margin(0.005));
+    CHECK(app::tells_piers(study));
+}

@@ -1,0 +1,20 @@
+drystone_tests(app_report
+    SOURCES
+        app/fragility/fragility_scenes.cpp
+        app/report/test_film_shelf.cpp
+        app/report/test_limit_choices.cpp
+        app/report/test_one_reading.cpp
+        app/report/test_report_bytes.cpp
+        app/report/test_random_layouts.cpp
+        app/report/test_report_choice.cpp
+        app/report/test_report_curves.cpp
+        app/report/test_report_cycles.cpp
+        app/report/test_report_film.cpp
+        app/report/test_report_overview.cpp
+        app/report/test_report_page.cpp
+        app/report/test_report_fragility.cpp
+        app/report/test_report_study.cpp
+        app/report/test_report_whatif.cpp
+        app/report/test_wall_reading.cpp
+        scenes/snapshot_scenes.cpp
+    LIBRARIES drystone_app_push drystone_app_report nlohmann_json::nlohmann_json ZLIB::ZLIB)

@@ -1,0 +1,328 @@
+#include "app/commands.hpp"
+#include "app/fragility/fragility_command.hpp"
+#include "app/fragility/intensity/intensity_data.hpp"
+#include "app/fragility/intensity/intensity_output.hpp"
+#include "app/shake/shake_study.hpp"
+#include "app/store/store_reader.hpp"
+#include "app/study/stored/stored_histories.hpp"
+#include "app/text/config_error.hpp"
+#include "app/text/json_text.hpp"
+#include "scenes/terminal.hpp"
+#include "tests/app/study_texts.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <bit>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+using Catch::Matchers::Contains;
+
+constexpr const char* kShaking = R"([load]
+vertical_stress = 0.05 MPa
+mass = floor
+[solver]
+fidelity = rigid
+[shaking]
+records = half_sine(peak 0.3 g, duration 0.2 s), wave.txt, sine(peak 1 g, period 0.4 s)
+intensities = 0.3, 0.6, 0.9 g
+[uq]
+samples = 3
+)";
+
+/// A study of walls that are shaken, in a folder of its own.
+class ShakenStudy {
+  public:
+    ShakenStudy()
+    {
+        fs::create_directories(path);
+        std::ofstream(path / "study.ini") << study_texts::kShakenWall << kShaking;
+        put_wave(1.0);
+    }
+    ~ShakenStudy() { fs::remove_all(path); }
+    ShakenStudy(const ShakenStudy&) = delete;
+    ShakenStudy& operator=(const ShakenStudy&) = delete;
+    fs::path path =
+        fs::temp_directory_path() / ("drystone_shaken_" + std::to_string(::getpid()));
+
+    /// Two columns, seconds and g.
+    void put_wave(double peak) const
+    {
+        std::ofstream wave(path / "wave.txt");
+        wave << "0.00 0\n0.05 " << peak << "\n0.10 0\n0.15 " << -peak << "\n0.20 0\n";
+    }
+    [[nodiscard]] int run(const std::string& out, int threads = 2,
+                          const std::vector<std::string>& overrides = {},
+                          app::Shard shard = {}) const
+    {
+        app::Command c;
+        c.study = (path / "study.ini").string();
+        c.words = {c.study};
+        c.out = (path / out).string();
+        c.quiet = true;
+        c.threads = threads;
+        c.overrides = overrides;
+        c.shard = shard;
+        const scenes::Terminal terminal;
+        return app::shake_study_command(c);
+    }
+    [[nodiscard]] std::vector<app::WallRow> rows(const std::string& file) const
+    {
+        app::StoreReader reader(path / file);
+        std::vector<app::WallRow> all;
+        reader.for_each_row([&](const app::WallRow& row) { all.push_back(row); });
+        return all;
+    }
+};
+
+std::vector<std::uint64_t> bits_of(const std::vector<double>& x)
+{
+    std::vector<std::uint64_t> bits;
+    for (const double v : x) bits.push_back(std::bit_cast<std::uint64_t>(v));
+    return bits;
+}
+
+bool same_rows(const std::vector<app::WallRow>& a, const std::vector<app::WallRow>& b)
+{
+    if (a.size() != b.size()) return false;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        if (a[i].key != b[i].key || a[i].counts != b[i].counts ||
+            bits_of(a[i].inputs) != bits_of(b[i].inputs) ||
+            bits_of(a[i].responses) != bits_of(b[i].responses))
+            return false;
+    return true;
+}
+
+double cell(const app::Json& row, const char* head)
+{
+    const app::Json& value = row.at(head);
+    return value.is_null() ? 0.0 : value.get<double>();
+}
+
+/// Histories of the modes are together all of them; each mode's curve is of its own histories.
+void check_modes(const app::Json& all, const app::StoredHistories& read)
+{
+    const app::Json& table = all["tables"]["intensity_modes"];
+    const app::Json& limits = all["tables"]["intensity_limits"];
+    std::map<std::string, double> n, reached, share;
+    std::set<std::string> modes;
+    for (const app::Json& row : table["rows"]) {
+        const std::string state = row.at("state");
+        n[state] += cell(row, "n");
+        reached[state] += cell(row, "reached");
+        share[state] += cell(row, "share [%]");
+        modes.insert(row.at("mode"));
+        const auto of_mode = std::ranges::count_if(
+            read.levels.front().histories, [&](const app::StoredHistory& h) {
+                return row.at("mode") == std::string(dem::name(h.mode));
+            });
+        CHECK(cell(row, "n") == static_cast<double>(of_mode));
+    }
+    CHECK(modes.size() >= 2);
+    for (const app::Json& row : limits["rows"]) {
+        if (row.at("method") != "stripes") continue;
+        const std::string state = row.at("state");
+        CAPTURE(state);
+        CHECK(n.at(state) == cell(row, "n"));
+        CHECK(reached.at(state) == cell(row, "reached"));
+        if (reached.at(state) > 0.0) CHECK(share.at(state) == Approx(100.0));
+    }
+}
+
+/// Histories that all have one mode have its curve, which is that of all stripes.
+void check_one_mode(app::StoredHistories read)
+{
+    for (app::StoredHistory& h : read.levels.front().histories)
+        h.mode = dem::FailureMode::sliding;
+    const app::IntensityData data = app::intensity_data(std::move(read), "");
+    bool any = false;
+    for (const app::IntensityState& s : data.states) {
+        const auto stripes = app::intensity_fits(data, 0, s).by[0];
+        const auto sliding = app::intensity_fits(data, 0, s, dem::FailureMode::sliding);
+        CHECK_FALSE(sliding.by[1]); // IDA
+        CHECK(sliding.by[0]->fit.curve.median == stripes->fit.curve.median);
+        any = any || stripes->fit.curve.median > 0.0;
+        const auto rocking = app::intensity_fits(data, 0, s, dem::FailureMode::rocking);
+        CHECK(rocking.by[0]->fit.n == 0.0);
+    }
+    CHECK(any);
+}
+
+/// Pictures of a study whose histories are changed.
+template <class Change>
+std::vector<std::string> drift_pictures(app::StoredHistories read, Change change)
+{
+    for (app::StoredHistory& h : read.levels.front().histories) change(h);
+    const app::IntensityData data = app::intensity_data(std::move(read), "");
+    const app::AllIntensityFits none = {std::vector<app::IntensityFits>(data.states.size())};
+    std::vector<std::string> pictures;
+    for (const app::NamedPicture& p : app::intensity_pictures(data, none))
+        if (p.name.starts_with("ida_") || p.name.starts_with("cloud_"))
+            pictures.push_back(p.svg);
+    return pictures;
+}
+
+/// Pictures of drifts show drifts, and not what the first state is read from.
+void check_drift_pictures(const app::StoredHistories& read)
+{
+    const auto as_is = drift_pictures(read, [](app::StoredHistory&) {});
+    CHECK(as_is.size() == 2);
+    CHECK(drift_pictures(read, [](app::StoredHistory& h) { h.uplift = 0.5; }) == as_is);
+    const auto moved = drift_pictures(read, [](app::StoredHistory& h) { h.max_drift *= 0.1; });
+    for (std::size_t i = 0; i < as_is.size(); ++i) CHECK(moved[i] != as_is[i]);
+}
+
+} // namespace
+
+TEST_CASE(
+    "shake study: every wall under every record and intensity, the same bits for any threads, "
+    "shards or resumed runs",
+    "[app][shake]")
+{
+    const ShakenStudy study;
+    REQUIRE(study.run("one.h5", 1) == 0);
+    const std::vector<app::WallRow> one = study.rows("one.h5");
+    REQUIRE(one.size() == 27);
+    REQUIRE(study.run("three.h5", 3) == 0);
+    CHECK(same_rows(one, study.rows("three.h5")));
+    REQUIRE(study.run("part.h5", 2, {"uq.samples=1"}) == 0); // and goes on below
+    CHECK(study.rows("part.h5").size() == 9);
+    REQUIRE(study.run("shard.h5", 2, {}, {0, 2}) == 0);
+    REQUIRE(study.run("shard.h5", 1, {}, {1, 2}) == 0);
+    app::Command merge;
+    for (const char* const name : {"merged.h5", "shard_1_of_2.h5", "shard_2_of_2.h5"})
+        merge.words.push_back((study.path / name).string());
+    {
+        const scenes::Terminal terminal;
+        REQUIRE(app::merge_command(merge) == 0);
+    }
+    CHECK(same_rows(one, study.rows("merged.h5")));
+
+    const app::StoredHistories all = app::read_histories(study.path / "one.h5");
+    CHECK(all.records.size() == 3);
+    std::set<std::vector<std::size_t>> seen;
+    for (const app::StoredHistory& h : all.levels.front().histories) {
+        CHECK_FALSE(h.failed);
+        seen.insert({h.wall, h.record, h.intensity});
+        const double pga = h.measures.front() / 9.80665;
+        CHECK(pga == Approx(std::vector{0.3, 0.6, 0.9}.at(h.intensity)));
+    }
+    CHECK(seen.size() == 27);
+    CHECK(all.levels.front().missing == 0);
+}
+
+TEST_CASE("shake study: a study that grows keeps its walls and goes on", "[app][shake]")
+{
+    const ShakenStudy study;
+    const std::vector<std::string> sampled = {"uq.design=monte_carlo"};
+    REQUIRE(study.run("grown.h5", 2, {"uq.design=monte_carlo", "uq.samples=1"}) == 0);
+    REQUIRE(study.run("grown.h5", 2, sampled) == 0);
+    REQUIRE(study.run("whole.h5", 2, sampled) == 0);
+    CHECK(same_rows(study.rows("grown.h5"), study.rows("whole.h5")));
+}
+
+TEST_CASE("shake study: paired walls have one record each", "[app][shake]")
+{
+    const ShakenStudy study;
+    REQUIRE(study.run("paired.h5", 2, {"shaking.design=paired", "uq.samples=4"}) == 0);
+    const app::StoredHistories all = app::read_histories(study.path / "paired.h5");
+    REQUIRE(all.levels.front().histories.size() == 12);
+    for (const app::StoredHistory& h : all.levels.front().histories)
+        CHECK(h.record == h.wall % 3);
+}
+
+TEST_CASE("shake study: a record that has changed is refused in a sentence", "[app][shake]")
+{
+    const ShakenStudy study;
+    REQUIRE(study.run("a.h5", 2, {"uq.samples=1"}) == 0);
+    const std::vector<app::WallRow> before = study.rows("a.h5");
+    study.put_wave(0.9);
+    CHECK_THROWS_WITH(study.run("a.h5"), Contains("\"wave\" has changed since") ||
+                                             Contains("wave.txt\" has changed since"));
+    CHECK(same_rows(before, study.rows("a.h5")));
+    study.put_wave(1.0);
+    CHECK_THROWS_WITH(
+        study.run("a.h5", 1, {"shaking.records=wave.txt, half_sine(peak 1 g, duration 0.2 s)"}),
+        Contains("shaking.records: record 1 is"));
+    CHECK_THROWS_WITH(study.run("b.h5", 1, {"wall.layouts=2", "wall.bond=rubble"}),
+                      Contains("layouts") || Contains("rubble"));
+    CHECK_THROWS_WITH(study.run("b.h5", 1, {"uq.audit=1"}), Contains("uq.audit: pushes walls"));
+    CHECK_FALSE(fs::exists(study.path / "b.h5"));
+}
+
+TEST_CASE("shake study: fragility on the intensity, with rates and files for others",
+          "[app][shake][fragility]")
+{
+    const ShakenStudy study;
+    REQUIRE(study.run("s.h5", 2,
+                      {"shaking.intensities=0.2, 0.4, 0.6, 0.9, 1.3 g",
+                       "shaking.records=kanai_tajimi(peak 0.3 g, duration 3 s, records 5)",
+                       "shaking.push=yes", "uq.samples=3"}) == 0);
+    const app::StoredHistories read = app::read_histories(study.path / "s.h5");
+    std::map<std::size_t, std::set<double>> limits; // of each wall
+    for (const app::StoredHistory& h : read.levels.front().histories) {
+        limits[h.wall].insert(h.pushed_limit);
+        CHECK(h.uplift >= 0.0);
+        CHECK(h.uplift <= 1.0);
+    }
+    REQUIRE(limits.size() == 3);
+    std::set<double> different;
+    for (const auto& [wall, of] : limits) {
+        CHECK(of.size() == 1);
+        CHECK(*of.begin() > 0.0);
+        different.insert(*of.begin());
+    }
+    CHECK(different.size() == 3);
+    std::ofstream(study.path / "hazard.csv")
+        << "PGA [g],rate [1/a]\n0.05,0.1\n0.2,0.01\n0.5,0.001\n1,0.0001\n";
+    app::Command c;
+    c.study = (study.path / "s.h5").string();
+    c.words = {c.study};
+    c.out = (study.path / "s").string();
+    c.hazard = (study.path / "hazard.csv").string();
+    c.quiet = true;
+    {
+        const scenes::Terminal terminal;
+        REQUIRE(app::fragility_command(c) == 0);
+    }
+    const auto text_of = [&](const char* name) {
+        std::ifstream in(study.path / "s" / name);
+        std::ostringstream text;
+        text << in.rdbuf();
+        return text.str();
+    };
+    const app::Json all = app::json_of(text_of("fragility.json"));
+    const app::Json& rows = all["tables"]["intensity_limits"]["rows"];
+    REQUIRE(rows.size() > 0);
+    CHECK_THAT(text_of("intensity_limits.csv"), Contains("uplift of 50 %"));
+    CHECK_THAT(text_of("intensity_limits.csv"), Contains("80 % of the limit of its own push"));
+    CHECK_THAT(text_of("intensity_limits.csv"), Contains("annual rate [1/a]"));
+    CHECK_THAT(text_of("openquake_fragility.xml"), Contains("imt=\"PGA\""));
+    CHECK_THAT(text_of("pelicun_fragility.csv"), Contains("Peak Ground Acceleration,g,"));
+    check_modes(all, read);
+    check_one_mode(read);
+    check_drift_pictures(read);
+    for (const char* const name : {"fragility_0.05_MPa.svg", "ida_0.05_MPa.svg",
+                                   "cloud_0.05_MPa.svg", "modes_0.05_MPa.svg"})
+        CHECK(fs::exists(study.path / "s" / "pictures" / name));
+    c.intensity = "sa(0.7 s)";
+    CHECK_THROWS_WITH(app::fragility_command(c),
+                      Contains("--intensity: \"sa(0.7 s)\" is not in"));
+    c.intensity = "pgv";
+    CHECK_THROWS_WITH(app::fragility_command(c), Contains("pgv is read in [m/s]"));
+    std::ofstream(study.path / "hazard.csv") << "PGA [g],rate\n0.1,0.1\n0.2,0.2\n";
+    c.intensity.clear();
+    CHECK_THROWS_WITH(app::fragility_command(c),
+                      Contains("must be below that of the row before"));
+}

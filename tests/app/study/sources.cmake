@@ -1,0 +1,15 @@
+set(TEST_APP_STUDY_SOURCES
+    app/study/test_audit.cpp
+    app/study/test_both_ways_study.cpp
+    app/study/test_key_effects.cpp
+    app/store/store_scene.cpp
+    app/study/test_reliability.cpp
+    app/study/test_sample_plan.cpp
+    app/study/test_stored_study.cpp
+    app/study/test_status_command.cpp
+    app/study/test_study_identity.cpp
+    app/study/test_study_runner.cpp
+    app/study/test_study_stopping.cpp
+    fuzz/crafted_hdf5.cpp
+    fuzz/test_crafted_study.cpp
+    fuzz/test_study_fuzz.cpp)

@@ -1,0 +1,12 @@
+set(TEST_UQ_ANALYSIS_SOURCES
+    uq/analysis/test_correlation_measures.cpp
+    uq/analysis/test_estimate.cpp
+    uq/analysis/test_field.cpp
+    uq/analysis/test_field_basis.cpp
+    uq/analysis/test_kernel.cpp
+    uq/analysis/test_latin_error.cpp
+    uq/analysis/test_quantile_estimate.cpp
+    uq/analysis/test_regression.cpp
+    uq/analysis/test_running_mean.cpp
+    uq/analysis/test_sobol_indices.cpp
+    uq/analysis/test_stopping.cpp)

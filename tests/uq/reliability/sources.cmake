@@ -1,0 +1,21 @@
+set(TEST_UQ_RELIABILITY_SOURCES
+    uq/reliability/reliability_problems.cpp
+    uq/reliability/test_active_learning.cpp
+    uq/reliability/test_control_variate.cpp
+    uq/reliability/test_crude_monte_carlo.cpp
+    uq/reliability/test_evaluate.cpp
+    uq/reliability/test_exceedance.cpp
+    uq/reliability/test_external_program.cpp
+    uq/reliability/test_form.cpp
+    uq/reliability/test_gaussian_mixture.cpp
+    uq/reliability/test_importance_sampling.cpp
+    uq/reliability/test_kept_evaluations.cpp
+    uq/reliability/test_limit_state.cpp
+    uq/reliability/test_multi_fidelity.cpp
+    uq/reliability/test_multi_fidelity_plan.cpp
+    uq/reliability/test_next_points.cpp
+    uq/reliability/test_reliability.cpp
+    uq/reliability/test_sorm.cpp
+    uq/reliability/test_subset_simulation.cpp
+    uq/reliability/test_to_variables.cpp
+    uq/reliability/test_weighed_points.cpp)

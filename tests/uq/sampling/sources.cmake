@@ -1,0 +1,13 @@
+set(TEST_UQ_SAMPLING_SOURCES
+    uq/sampling/test_correlation_matrix.cpp
+    uq/sampling/test_design.cpp
+    uq/sampling/test_design_criteria.cpp
+    uq/sampling/test_iman_conover.cpp
+    uq/sampling/test_latin.cpp
+    uq/sampling/test_latin_annealing.cpp
+    uq/sampling/test_marginal.cpp
+    uq/sampling/test_nataf.cpp
+    uq/sampling/test_normal_copula.cpp
+    uq/sampling/test_sobol.cpp
+    uq/sampling/test_spatial_sample.cpp
+    uq/sampling/test_stream.cpp)

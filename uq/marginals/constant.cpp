@@ -1,9 +1,0 @@
-#include "uq/marginals/constant.hpp"
-
-#include "uq/marginals/shape_checks.hpp"
-
-namespace uq {
-
-void check(const Constant& s) { require_finite("constant: value", s.value); }
-
-} // namespace uq
