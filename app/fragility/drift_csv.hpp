@@ -1,5 +1,5 @@
 #pragma once
-/// Drifts from anyone's table.
+/// Drifts read from a table that a user brings.
 
 #include "app/fragility/numbers/fragility_data.hpp"
 #include "app/text/csv.hpp"
@@ -9,6 +9,7 @@
 
 namespace app {
 
+/// Reads a table of values with commas, semicolons or tabs between them.
 /// @throws ConfigError for a file that is not there, larger than 256 MiB or no text in UTF-8,
 /// and as parse_csv
 [[nodiscard]] Csv read_csv_file(const std::string& path);
@@ -28,14 +29,13 @@ struct DriftColumns {
     std::string group; ///< empty: one group
 };
 
-/// Drifts > 0; in the column of censoring 1, yes, y, true, censored: the wall had not reached
-/// the limit state at this drift; 0, no, n, false, observed: it did. "> 2.27" says so in the
-/// cell itself. Empty cells and NA: not known, left out and counted. With semicolons or tabs
-/// 1,5 is read as 1.5. Units: those in brackets in the head, [%], (%), [-], [rad], [permille],
-/// [mm], ...
-/// @throws ConfigError with all mistakes of the table, by row and column: no such column; a
-/// zero, infinite
-/// or negative value, no number
+/// The drifts of each limit state, all > 0. The column of censoring says 1, yes, y, true or
+/// censored where the wall had not reached the limit state at this drift, and 0, no, n, false
+/// or observed where it had; a cell "> 2.27" says the same by itself. Empty cells and NA are
+/// left out and counted. With semicolons or tabs 1,5 is read as 1.5. The head gives the unit in
+/// brackets: [%], (%), [-], [rad], [permille], [mm], ...
+/// @throws ConfigError with all mistakes of the table, by row and column: a column that is not
+/// there, a cell that is no number, a value that is negative, zero or infinite
 [[nodiscard]] DriftData drift_data(const Csv& csv, const DriftColumns& columns);
 
 } // namespace app

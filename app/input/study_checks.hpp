@@ -20,11 +20,11 @@ void check_cycles(const Study& study);
 /// @throws ConfigError at the value to change
 void check_blocks(const Study& study, const dem::Layout& layout);
 
-/// Everything else, once every value is known.
+/// Checks all other rules, once every value is known.
 /// @throws ConfigError at the value to change
 void check_relations(const Study& study);
 
-/// Samples behind p-values, also where no study was read.
+/// Checks the number of samples behind p-values, also where no study was read.
 /// @throws ConfigError where they are too few for a law to be rejected
 void check_bootstrap(const Study& study);
 

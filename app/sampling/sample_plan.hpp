@@ -1,5 +1,5 @@
 #pragma once
-/// From a study to the random values of each of its walls.
+/// The random values of each wall of a study.
 
 #include "app/input/study/study.hpp"
 #include "app/sampling/wall_draw.hpp"
@@ -29,17 +29,19 @@ struct SamplePlan {
 /// list.
 [[nodiscard]] std::uint64_t level_seed(const UqInput& uq, double vertical_stress);
 
+/// The plan of a study's draws.
 /// @param sizes through which the design has grown, the last one study.uq.samples
 /// @throws ConfigError where the study asks for what its design or correlation cannot give
 [[nodiscard]] SamplePlan sample_plan(const Study& study, const dem::Layout& layout,
                                      std::span<const std::uint32_t> sizes);
 
+/// The values of one wall.
 /// @param sample in [0, samples)
 [[nodiscard]] WallDraw draw(const SamplePlan& plan, int level, int sample);
 
 /// All values of a draw in one row, input by input.
 [[nodiscard]] std::vector<double> flattened(const WallDraw& draw);
-/// And back.
+/// The draw that has the values of `row`: undoes flattened.
 [[nodiscard]] WallDraw unflattened(const SamplePlan& plan, const Eigen::VectorXd& row);
 
 } // namespace app

@@ -1,5 +1,5 @@
 #pragma once
-/// All walls of a study into one file, whoever asks for it.
+/// Runs a study: all its walls go into one file. The command line and Python call it.
 
 #include "app/input/command.hpp"
 #include "app/study/pushed/wall_frames.hpp"
@@ -38,7 +38,7 @@ struct StudyRunEnd {
 /// finished are kept
 [[nodiscard]] StudyRunEnd run_study(const PreparedStudy& ready, const StudyRun& run);
 
-/// Asks before a run what study_summary would replace.
+/// Checks before a run that study_summary replaces nothing of others.
 /// @throws ConfigError if a file of its name is there and was not written by an earlier run
 void check_summary(const std::filesystem::path& file);
 

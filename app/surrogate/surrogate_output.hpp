@@ -14,7 +14,7 @@ namespace app {
 
 constexpr const char* kSurrogateFormat = "drystone surrogate 1";
 
-/// Everything that the verb writes is made of this.
+/// The surrogates of one response of a study. All files of the verb are made of it.
 struct SurrogateStudy {
     const StudyWalls* walls;
     const WallNumber* response;
@@ -38,7 +38,8 @@ struct SurrogateStudy {
 /// with a note.
 [[nodiscard]] Table surrogate_index_table(const SurrogateStudy& s);
 
-/// Rows by wall: the response and what the better surrogate says of it without it.
+/// Rows by wall: the response, and what the better surrogate predicts for the wall when it has
+/// not seen it.
 [[nodiscard]] Table surrogate_wall_table(const SurrogateStudy& s);
 
 /// Rows by stress: how well the failure mode of a wall is told from its inputs.
@@ -46,7 +47,7 @@ struct SurrogateStudy {
 
 /// Everything that is needed to predict; the format is in docs/surrogates.md.
 [[nodiscard]] nlohmann::ordered_json surrogate_data(const SurrogateStudy& s);
-/// The same as text.
+/// surrogate_data as text.
 [[nodiscard]] std::string surrogate_json(const SurrogateStudy& s);
 
 /// Predicted against true, of walls left out.

@@ -9,22 +9,22 @@
 
 namespace app {
 
-/// Without blanks, tabs and carriage returns at both ends.
+/// The text without blanks, tabs and carriage returns at both ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
-/// Parts of the text between occurrences of `by`, trimmed; empty parts are kept.
+/// The parts of the text between occurrences of `by`, trimmed; empty parts are kept.
 [[nodiscard]] std::vector<std::string_view> split(std::string_view text, std::string_view by);
 
-/// In double quotes, on one line: control characters become '?', a long text is cut.
+/// The text in double quotes, on one line: control characters become '?', a long text is cut.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
-/// "m, cm or mm"
+/// The words in one phrase: "m, cm or mm".
 [[nodiscard]] std::string listed(std::span<const std::string_view> words);
 
-/// "1 block", "2 blocks".
+/// The number with its noun: "1 block", "2 blocks".
 [[nodiscard]] std::string counted(std::size_t n, std::string_view one, std::string_view more);
 
-/// Fewest letters to insert, delete or replace, or neighbours to swap (optimal string
+/// The fewest letters to insert, delete or replace, or neighbours to swap (optimal string
 /// alignment).
 [[nodiscard]] int edit_distance(std::string_view a, std::string_view b);
 
