@@ -87,7 +87,7 @@ app::NamedPicture mechanisms(const std::filesystem::path& file, const app::Study
     const std::string title = "Mechanisms at the end of the push, by mode and stress";
     std::string body = app::svg_text({15.0, 26.0}, title, "font-weight=\"bold\"") +
                        app::svg_text({15.0, 46.0},
-                                     "Of each mode the wall whose peak is nearest the mean: "
+                                     "For each mode the wall whose peak is nearest the mean: "
                                      "blue open joints, orange slip, red cracks; movements "
                                      "are drawn larger",
                                      "font-size=\"12\"") +
