@@ -33,16 +33,6 @@ using AllIntensityFits = std::vector<std::vector<IntensityFits>>;
 [[nodiscard]] std::vector<NamedPicture> intensity_pictures(const IntensityData& data,
                                                            const AllIntensityFits& fits);
 
-/// Quantiles of the drift at one of the intensities of a study; a wall that fell has an
-/// infinite one.
-struct DriftFractiles {
-    double intensity = 0.0; ///< median of the histories [unit of the measure]
-    std::size_t n = 0;
-    std::array<double, 3> at{}; ///< 16, 50, 84 % [-]
-};
-[[nodiscard]] std::vector<DriftFractiles> drift_fractiles(const IntensityData& data,
-                                                          std::size_t level);
-
 /// Name of the states' set in files: "0.50_MPa".
 [[nodiscard]] std::string level_file(const HistoryLevel& level);
 

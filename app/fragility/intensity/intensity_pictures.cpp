@@ -1,3 +1,4 @@
+#include "app/fragility/intensity/intensity_histories.hpp"
 #include "app/fragility/intensity/intensity_output.hpp"
 #include "app/output/picture/chart_svg.hpp"
 #include "app/study/stored/study_walls.hpp"

@@ -1,7 +1,7 @@
-#include "app/fragility/fragility_command.hpp"
 #include "app/fragility/fragility_curves.hpp"
 #include "app/fragility/numbers/drift_fits.hpp"
 #include "app/fragility/numbers/fragility_limits.hpp"
+#include "app/fragility/study_output.hpp"
 #include "tests/app/fragility/fragility_scenes.hpp"
 
 #include <catch2/catch.hpp>

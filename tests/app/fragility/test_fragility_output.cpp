@@ -1,6 +1,6 @@
 #include "app/fragility/numbers/fragility_output.hpp"
 
-#include "app/fragility/fragility_command.hpp"
+#include "app/fragility/study_output.hpp"
 #include "app/output/result_folder.hpp"
 #include "tests/app/fragility/fragility_scenes.hpp"
 #include "tests/app/fragility/latex_width.hpp"

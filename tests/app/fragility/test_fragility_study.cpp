@@ -1,4 +1,5 @@
 #include "app/fragility/fragility_command.hpp"
+#include "app/fragility/study_output.hpp"
 #include "app/input/prepared_study.hpp"
 
 #include "app/input/command_line.hpp"

@@ -1,4 +1,4 @@
-#include "app/fragility/fragility_command.hpp"
+#include "app/fragility/study_output.hpp"
 #include "app/input/keys/study_keys.hpp"
 #include "app/input/prepared_study.hpp"
 #include "app/push/summary_json.hpp"

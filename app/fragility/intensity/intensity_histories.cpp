@@ -1,0 +1,139 @@
+#include "app/fragility/intensity/intensity_histories.hpp"
+
+#include "app/output/table/cells.hpp"
+#include "app/study/answers/fragility_text.hpp"
+#include "app/text/number_text.hpp"
+#include "fragility/intensity/cloud.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace app {
+
+using fragility::ModelOutcome;
+
+std::vector<DriftFractiles> drift_fractiles(const IntensityData& data, std::size_t level)
+{
+    constexpr std::array kFractiles = {0.16, 0.5, 0.84};
+    std::map<std::size_t, std::pair<std::vector<double>, std::vector<double>>> by;
+    for (const StoredHistory& h : data.histories.levels.at(level).histories) {
+        if (h.failed) continue;
+        auto& [x, drifts] = by[h.intensity];
+        x.push_back(h.measures[data.column] / data.unit_value);
+        drifts.push_back(h.fell ? std::numeric_limits<double>::infinity() : h.max_drift);
+    }
+    std::vector<DriftFractiles> all;
+    for (auto& [intensity, both] : by) {
+        auto& [x, drifts] = both;
+        std::ranges::sort(x);
+        std::ranges::sort(drifts);
+        DriftFractiles f{x[x.size() / 2], drifts.size(), {}};
+        for (std::size_t i = 0; i < kFractiles.size(); ++i) {
+            const double place = kFractiles[i] * static_cast<double>(drifts.size());
+            f.at[i] = drifts[std::min(drifts.size() - 1, static_cast<std::size_t>(place))];
+        }
+        all.push_back(f);
+    }
+    std::ranges::sort(all, {}, &DriftFractiles::intensity);
+    return all;
+}
+
+Table measure_table(const IntensityData& data)
+{
+    Table t;
+    t.title = "How well each measure tells the drift";
+    t.caption =
+        "ln drift = a + b ln(measure) + s z over all histories of a stress; drifts of "
+        "walls that fell lie above, those below " +
+        percent_text(kElasticDrift) +
+        " below. Efficiency: a small s. Practicality: a large b. Proficiency: a small "
+        "s/b, the dispersion of a fragility curve on this measure. Of measures to which "
+        "records were scaled s is that at the intensities of the study.";
+    t.head = {"stress [MPa]", "measure", "b", "s", "s/b", "histories", {"note", kNote}};
+    t.keys = 2;
+    for (const HistoryLevel& level : data.histories.levels)
+        for (std::size_t m = 0; m < data.histories.measures.size(); ++m) {
+            std::vector<fragility::CloudPoint> points;
+            for (const StoredHistory& h : level.histories) {
+                if (h.failed) continue;
+                const double drift = std::max(h.max_drift, kElasticDrift);
+                points.push_back({h.measures[m],
+                                  h.fell ? fragility::right_censored(drift)
+                                  : h.max_drift < kElasticDrift
+                                      ? fragility::left_censored(kElasticDrift)
+                                      : fragility::observed(h.max_drift),
+                                  h.fell});
+            }
+            const Row start = {stress_cell(level.stress), data.histories.measures[m]};
+            const fragility::CloudFit f = fragility::fit_cloud(points);
+            if (f.outcome != ModelOutcome::converged) {
+                add_row(t, joined(start, {Number{}, Number{}, Number{}, count(points.size())}),
+                        "No line: " + f.reason + ".");
+                continue;
+            }
+            add_row(
+                t, joined(start, {plain_number(f.slope, 3), plain_number(f.sigma, 3),
+                                  f.slope > 0.0 ? plain_number(f.sigma / f.slope, 3) : Number{},
+                                  count(points.size())}));
+        }
+    return t;
+}
+
+Table fractile_table(const IntensityData& data)
+{
+    Table t;
+    t.title = "Drifts at each intensity";
+    t.caption =
+        "16, 50 and 84 % of the largest drifts of the histories at each intensity of "
+        "the study; a wall that fell lies above all others, and where a fractile is one "
+        "of these the cell is empty.";
+    t.head = {"stress [MPa]", "median " + data.measure_name + " [" + data.unit + "]",
+              "histories",    "16 % [%]",
+              "50 % [%]",     "84 % [%]"};
+    t.keys = 2;
+    for (std::size_t l = 0; l < data.histories.levels.size(); ++l)
+        for (const DriftFractiles& f : drift_fractiles(data, l)) {
+            Row row = {stress_cell(data.histories.levels[l].stress),
+                       plain_number(f.intensity, decimals_for(f.intensity)), count(f.n)};
+            for (const double x : f.at)
+                row.emplace_back(std::isfinite(x) ? plain_number(100.0 * x, 3) : Number{});
+            t.rows.push_back(std::move(row));
+        }
+    return t;
+}
+
+Table history_table(const IntensityData& data)
+{
+    Table t;
+    t.title = "Histories";
+    t.caption = "Each history with its measures in SI; drifts in %.";
+    t.head = {"stress [MPa]", "wall", "record",        "intensity",
+              "outcome",      "mode", "max drift [%]", "residual drift [%]",
+              "collapse [s]"};
+    for (const std::string& m : data.histories.measures) t.head.emplace_back(m);
+    t.keys = 4;
+    const auto known = [](double x, double scale) {
+        return std::isfinite(x) ? Number{.value = scale * x} : Number{};
+    };
+    for (const HistoryLevel& level : data.histories.levels)
+        for (const StoredHistory& h : level.histories) {
+            Row row = {stress_cell(level.stress),
+                       count(h.wall),
+                       data.histories.records[h.record],
+                       count(h.intensity + 1),
+                       std::string(h.failed ? "failed"
+                                   : h.fell ? "fell"
+                                            : "stood"),
+                       h.failed ? std::string() : std::string(dem::name(h.mode)),
+                       h.failed ? Number{} : known(h.max_drift, 100.0),
+                       h.failed || h.fell ? Number{} : known(h.residual_drift, 100.0),
+                       h.fell ? known(h.collapse_time, 1.0) : Number{}};
+            for (const double x : h.measures) row.emplace_back(known(x, 1.0));
+            t.rows.push_back(std::move(row));
+        }
+    return t;
+}
+
+} // namespace app
