@@ -10,6 +10,7 @@
 #include "app/output/table/table_files.hpp"
 #include "app/reliability/evaluation_identity.hpp"
 #include "app/reliability/event.hpp"
+#include "app/store/continued_head.hpp"
 #include "app/store/store_head.hpp"
 #include "app/study/pushed/interrupt.hpp"
 #include "app/text/config_error.hpp"

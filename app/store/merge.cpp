@@ -1,5 +1,6 @@
 #include "app/store/merge.hpp"
 
+#include "app/store/continued_head.hpp"
 #include "app/store/hdf5/file_lock.hpp"
 #include "app/store/hdf5/store_disk.hpp"
 #include "app/store/store_parts.hpp"

@@ -1,5 +1,6 @@
 #include "app/store/store.hpp"
 
+#include "app/store/continued_head.hpp"
 #include "app/store/hdf5/file_lock.hpp"
 #include "app/store/hdf5/store_disk.hpp"
 

@@ -1,5 +1,6 @@
 #include "app/store/store_reader.hpp"
 
+#include "app/store/continued_head.hpp"
 #include "app/store/hdf5/store_disk.hpp"
 #include "app/store/store_parts.hpp"
 #include "app/store/wall_file.hpp"

@@ -1,4 +1,5 @@
 #include "app/fragility/numbers/fragility_data.hpp"
+#include "app/store/continued_head.hpp"
 #include "app/store/store_reader.hpp"
 #include "app/study/answers/solver_error.hpp"
 #include "app/study/stored/study_file_head.hpp"

@@ -2,6 +2,7 @@
 
 #include "app/input/study/study.hpp"
 #include "app/input/study_reading.hpp"
+#include "app/store/continued_head.hpp"
 #include "app/store/hdf5/store_error.hpp"
 #include "app/study/stored/history_names.hpp"
 #include "app/study/stored/study_identity.hpp"

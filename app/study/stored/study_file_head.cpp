@@ -2,6 +2,7 @@
 
 #include "app/input/study_reading.hpp"
 #include "app/input/wall/random_layouts.hpp"
+#include "app/store/continued_head.hpp"
 #include "app/store/store_reader.hpp"
 #include "app/store/wall_file.hpp"
 #include "app/study/pushed/both_ways.hpp"

@@ -1,3 +1,4 @@
+#include "app/store/continued_head.hpp"
 #include "app/store/merge.hpp"
 #include "app/store/store.hpp"
 

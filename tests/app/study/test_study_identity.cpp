@@ -1,3 +1,4 @@
+#include "app/store/continued_head.hpp"
 #include "app/study/stored/study_identity.hpp"
 
 #include "app/reliability/evaluation_identity.hpp"
