@@ -1,5 +1,5 @@
 #pragma once
-/// What the histories of a study show before any state is fitted.
+/// Tables of the histories of a study, before any state is fitted.
 
 #include "app/fragility/intensity/intensity_data.hpp"
 #include "app/output/table/table.hpp"
