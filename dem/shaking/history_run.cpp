@@ -83,7 +83,7 @@ double HistoryRun::damped_fraction(const StepLimits& limits) const
     for (; fraction > kDampedFraction; fraction *= kFractionStep) {
         const std::vector<double> shares =
             dashpot_shares(task_->model, task_->tables, materials_, masses_, limits,
-                           plan_.contact_damping, fraction * limits.all);
+                           plan_.contact_damping, fraction * limits.whole);
         const double most = *std::ranges::max_element(shares);
         if (4.0 * fraction * fraction * (1.0 + 2.0 * most) <= kDampedBound) break;
     }
@@ -95,7 +95,7 @@ void HistoryRun::set_clock(const StepLimits& limits)
     options_.step_fraction = fraction_;
     if (plan_.contact_damping > 0.0 && !task_->tables.dry.empty())
         options_.step_fraction = damped_fraction(limits);
-    double most = options_.step_fraction * limits.all;
+    double most = options_.step_fraction * limits.whole;
     if (plan_.contact_damping == 0.0)
         most = std::min(most, fraction_ / plan_.step_fraction * kContactShare * limits.contact);
     clock_ = {};
@@ -124,7 +124,10 @@ template <class Real> bool HistoryRun::load(ShakenWalls<Real>& walls, int lane)
     r_.unbalance = start.unbalance;
     raised_ = start.raised;
     stored_ = start.wall.work;
-    load_lane(m, t, materials_, options_, start.wall, masses_, clock_.dt, lane, walls);
+    SolverOptions moving = options_;
+    moving.step_fraction *= limits.whole / limits.elastic;
+    moving.damping_factor = 0.0;
+    load_lane(m, t, materials_, moving, start.wall, masses_, clock_.dt, lane, walls);
     if (!start.at_rest) {
         r_.outcome = ShakeOutcome::unsettled;
         return false;
