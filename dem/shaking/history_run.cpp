@@ -19,8 +19,9 @@ namespace {
 constexpr double kLedger = 0.01; // [-] error of the energy balance that is borne
 constexpr double kLeastPassed =
     1e-4; // energy that the balance is a share of, over load times height
-constexpr double kContactShare =
-    0.25; // of a contact's own limit, at which one that opens and closes keeps its energy
+// Share of a contact's own limit at which one that opens and closes keeps its energy; of one
+// that closes, whose stiffness is not known beforehand.
+constexpr double kContactShare = 0.25, kClosingShare = 0.2;
 // With dashpots k + 2 d <= 4 in units of the step, k being 4 at the largest stable one and d at
 // most 1: a share of 0.7 of that step always is stable.
 constexpr double kDampedFraction = 0.7, kDampedBound = 3.96;
@@ -69,8 +70,11 @@ void HistoryRun::set_clock(const StepLimits& limits)
     if (plan_.contact_damping > 0.0 && !task_->tables.dry.empty())
         options_.step_fraction = damped_fraction(limits);
     double most = options_.step_fraction * limits.whole;
-    if (plan_.contact_damping == 0.0)
-        most = std::min(most, fraction_ / plan_.step_fraction * kContactShare * limits.contact);
+    if (plan_.contact_damping == 0.0) {
+        const bool closes = task_->model.layout.closure != Closure::linear;
+        const double share = (closes ? kClosingShare : kContactShare) * fraction_;
+        most = std::min(most, share / plan_.step_fraction * limits.contact);
+    }
     clock_ = shaking_clock(plan_, most);
     free_ = FreeVibration(clock_);
     r_.time_step = clock_.dt;

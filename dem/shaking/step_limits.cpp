@@ -19,7 +19,7 @@ namespace {
 /// Elastic modes are so much slower than the bound lets them be that they do not hold up the
 /// step of the wall, and so much quicker than what an earthquake moves that its frequencies
 /// keep their place (docs/dynamics.md).
-constexpr double kElasticStep = 1.4;
+constexpr double kElasticStep = 1.2;
 constexpr double kLanczosError = 1e-3; // of largest_frequency()
 
 /// R with R R^T = M^-1.

@@ -23,7 +23,7 @@ struct StepLimits {
     /// Time step that elastic modes have the masses of: kElasticStep times the bound.
     double elastic = 0.0;
     /// The least 2 / sqrt(k / m) of a dry joint alone between two blocks that move along its
-    /// normal: contacts that open and close keep the energy at a quarter of it.
+    /// normal: contacts that open and close keep the energy at a quarter of it, or less.
     double contact = 0.0;
 };
 
