@@ -1,10 +1,11 @@
 #pragma once
-/// The top of a wall after the record: where it comes to lie, and when nothing more comes of it.
+/// The top of a wall after the record: where it comes to lie, and when nothing comes of it any
+/// more.
 ///
 /// The free vibration is looked at in windows of a fifth of its longest time. It is quiet after
 /// a window in which the top has hardly moved, and after one in which it swings a little about
-/// the same place as in the window before: joints are all but undamped at the lowest frequencies
-/// of a wall, so that a small swing lasts for minutes and changes nothing.
+/// the same place as in the window before. Joints hardly damp the lowest frequencies of a wall,
+/// so that a small swing lasts for minutes and changes nothing.
 
 #include "dem/shaking/shaking_clock.hpp"
 
