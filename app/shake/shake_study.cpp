@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <map>
 #include <mutex>
@@ -192,6 +193,18 @@ fs::path summary_file(const fs::path& file)
     return file.parent_path() / (file.stem().string() + "_summary.csv");
 }
 
+/// Histories under long records come first, so that registers stay full to the end.
+std::vector<WallKey> longest_first(const HistoryPlan& plan, std::vector<WallKey> histories)
+{
+    const auto duration = [&](const WallKey& key) {
+        const ground::GroundMotion& m =
+            plan.records.records.at(history_of(plan, key.sample).record).horizontal;
+        return m.step * static_cast<double>(m.acceleration.size());
+    };
+    std::ranges::stable_sort(histories, std::greater{}, duration);
+    return histories;
+}
+
 void check_size(const Study& study, const HistoryPlan& plan)
 {
     const double all = static_cast<double>(histories_per_wall(plan)) * samples_of(study);
@@ -213,7 +226,8 @@ void run_histories(const PreparedStudy& ready, const HistoryPlan& plan,
 {
     if (histories.empty()) return;
     const auto most = static_cast<int>(std::min<std::size_t>(histories.size(), 1024));
-    HistoryRuns(ready, plan, samples, histories, done).run(std::clamp(threads, 1, most));
+    const std::vector<WallKey> order = longest_first(plan, histories);
+    HistoryRuns(ready, plan, samples, order, done).run(std::clamp(threads, 1, most));
 }
 
 int shake_study_command(const Command& command)

@@ -3,6 +3,7 @@
 #include "dem/block/model.hpp"
 #include "dem/contact/pack.hpp"
 #include "dem/shaking/shaking_start.hpp"
+#include "dem/shaking/watched_parts.hpp"
 #include "dem/solver/state/take_snapshot.hpp"
 #include "dem/solver/step/vertical_load.hpp"
 
@@ -18,8 +19,9 @@ namespace {
 constexpr double kLedger = 0.01; // [-] error of the energy balance that is borne
 constexpr double kLeastPassed =
     1e-4; // energy that the balance is a share of, over load times height
-constexpr double kContactShare =
-    0.2; // of a contact's own limit, at which one that opens and closes keeps its energy
+// Share of a contact's own limit at which one that opens and closes keeps its energy; of one
+// that closes, whose stiffness is not known beforehand.
+constexpr double kContactShare = 0.25, kClosingShare = 0.2;
 // With dashpots k + 2 d <= 4 in units of the step, k being 4 at the largest stable one and d at
 // most 1: a share of 0.7 of that step always is stable.
 constexpr double kDampedFraction = 0.7, kDampedBound = 3.96;
@@ -28,35 +30,7 @@ constexpr int kMostReductions = 6;
 // The step of a wall whose joints close allows for this many times their stiffness at rest. It
 // is a free choice: where joints become much stiffer, the ledger asks for a smaller step.
 constexpr double kStiffer = 4.0;
-constexpr double kStill = 1e-8; // kinetic energy over the largest so far
 constexpr long long kLookEvery = 50;
-constexpr long long kWindows = 5; // of the free vibration: the residual is a mean over one
-
-/// The blocks whose displacement is told: the beam, or the top course.
-std::vector<int> top_of(const Model& m)
-{
-    const int n = static_cast<int>(m.layout.blocks.size());
-    if (m.layout.beam < n) return {m.layout.beam};
-    std::vector<int> top;
-    double highest = 0.0;
-    for (const Block& b : m.layout.blocks) highest = std::max(highest, b.z1);
-    for (int b = 0; b < n; ++b)
-        if (m.layout.blocks[b].z1 > highest - kTouching) top.push_back(b);
-    return top;
-}
-
-/// Bed joints between blocks that the ground holds, or itself, and those that move.
-std::vector<ContactRun> foot_of(const StepTables& t, const std::vector<BlockMass>& masses)
-{
-    constexpr double kLevel = 0.5; // vertical part of the normal of a bed joint: choice
-    const auto moves = [&](int b) { return b != kGround && masses[b].mass > 0.0; };
-    std::vector<ContactRun> foot;
-    for (std::size_t r = 0; r < t.dry.size(); ++r)
-        if (std::abs(t.finite.pairs[r].nz) > kLevel &&
-            moves(t.dry_blocks[r][0]) != moves(t.dry_blocks[r][1]))
-            foot.push_back(t.dry[r]);
-    return foot;
-}
 
 } // namespace
 
@@ -83,7 +57,7 @@ double HistoryRun::damped_fraction(const StepLimits& limits) const
     for (; fraction > kDampedFraction; fraction *= kFractionStep) {
         const std::vector<double> shares =
             dashpot_shares(task_->model, task_->tables, materials_, masses_, limits,
-                           plan_.contact_damping, fraction * limits.all);
+                           plan_.contact_damping, fraction * limits.whole);
         const double most = *std::ranges::max_element(shares);
         if (4.0 * fraction * fraction * (1.0 + 2.0 * most) <= kDampedBound) break;
     }
@@ -95,18 +69,14 @@ void HistoryRun::set_clock(const StepLimits& limits)
     options_.step_fraction = fraction_;
     if (plan_.contact_damping > 0.0 && !task_->tables.dry.empty())
         options_.step_fraction = damped_fraction(limits);
-    double most = options_.step_fraction * limits.all;
-    if (plan_.contact_damping == 0.0)
-        most = std::min(most, fraction_ / plan_.step_fraction * kContactShare * limits.contact);
-    clock_ = {};
-    clock_.substeps = static_cast<long long>(std::ceil(plan_.step / most));
-    clock_.dt = plan_.step / static_cast<double>(clock_.substeps);
-    if (!plan_.horizontal.empty())
-        clock_.record = static_cast<long long>(plan_.horizontal.size() - 1) * clock_.substeps;
-    const auto after = static_cast<long long>(std::llround(plan_.free_vibration / clock_.dt));
-    clock_.last = clock_.record + after;
-    clock_.window = after / kWindows;
-    clock_.window_from = clock_.last - kWindows * clock_.window;
+    double most = options_.step_fraction * limits.whole;
+    if (plan_.contact_damping == 0.0) {
+        const bool closes = task_->model.layout.closure != Closure::linear;
+        const double share = (closes ? kClosingShare : kContactShare) * fraction_;
+        most = std::min(most, share / plan_.step_fraction * limits.contact);
+    }
+    clock_ = shaking_clock(plan_, most);
+    free_ = FreeVibration(clock_);
     r_.time_step = clock_.dt;
 }
 
@@ -123,8 +93,11 @@ template <class Real> bool HistoryRun::load(ShakenWalls<Real>& walls, int lane)
     r_.peak_ground = peak_;
     r_.unbalance = start.unbalance;
     raised_ = start.raised;
-    stored_ = start.wall.work;
-    load_lane(m, t, materials_, options_, start.wall, masses_, clock_.dt, lane, walls);
+    ledger_ = HistoryLedger(start.wall.work, kLeastPassed * m.layout.height * load_);
+    SolverOptions moving = options_;
+    moving.step_fraction *= limits.whole / limits.elastic;
+    moving.damping_factor = 0.0;
+    load_lane(m, t, materials_, moving, start.wall, masses_, clock_.dt, lane, walls);
     if (!start.at_rest) {
         r_.outcome = ShakeOutcome::unsettled;
         return false;
@@ -155,18 +128,8 @@ template <class Real> void HistoryRun::find_top(const WallState<Real>& s, int la
 
 ShakingInput<double> HistoryRun::next() const
 {
-    return {ground(plan_.horizontal), ground(plan_.vertical), clock_.step == 0 ? 0.5 : 1.0};
-}
-
-/// Acceleration at the beginning of the step [m/s2].
-double HistoryRun::ground(const std::vector<double>& a) const
-{
-    const auto at = static_cast<std::size_t>(clock_.step / clock_.substeps);
-    if (at >= a.size()) return 0.0;
-    const double part = static_cast<double>(clock_.step % clock_.substeps) /
-                        static_cast<double>(clock_.substeps);
-    if (at + 1 < a.size()) return a[at] + part * (a[at + 1] - a[at]);
-    return part == 0.0 ? a[at] : 0.0;
+    return {ground_now(plan_.horizontal, clock_), ground_now(plan_.vertical, clock_),
+            clock_.step == 0 ? 0.5 : 1.0};
 }
 
 template <class Real> double HistoryRun::displacement(const WallState<Real>& s, int lane) const
@@ -186,7 +149,7 @@ template <class Real> Snapshot HistoryRun::snapshot(const WallState<Real>& s, in
 template <class Real> void HistoryRun::watch(const ShakenWalls<Real>& walls, int lane)
 {
     const WallState<Real>& s = walls.state;
-    const double time = static_cast<double>(clock_.step) * clock_.dt, slack = 0.5 * clock_.dt;
+    const double time = clock_.time(), slack = 0.5 * clock_.dt;
     top_u_ = displacement(s, lane);
     if (clock_.step == 0 || std::abs(top_u_) > r_.most_displacement) {
         r_.most_displacement = std::abs(top_u_);
@@ -197,8 +160,8 @@ template <class Real> void HistoryRun::watch(const ShakenWalls<Real>& walls, int
         r_.at_most = snapshot(s, lane);
     }
     if (time >= next_point_ - slack) {
-        r_.history.push_back(
-            {time, ground(plan_.horizontal), top_u_, dem::lane(s.base_shear, lane)});
+        r_.history.push_back({time, ground_now(plan_.horizontal, clock_), top_u_,
+                              dem::lane(s.base_shear, lane)});
         next_point_ += plan_.record_every;
     }
     if (plan_.snapshot_every > 0.0 && time >= next_snapshot_ - slack) {
@@ -206,24 +169,7 @@ template <class Real> void HistoryRun::watch(const ShakenWalls<Real>& walls, int
         r_.snapshot_times.push_back(time);
         next_snapshot_ += plan_.snapshot_every;
     }
-    if (clock_.step < clock_.window_from) return;
-    window_.least = window_.counted == 0 ? top_u_ : std::min(window_.least, top_u_);
-    window_.most = window_.counted == 0 ? top_u_ : std::max(window_.most, top_u_);
-    window_.sum += top_u_;
-    ++window_.counted;
-}
-
-/// Whether the top has hardly moved in the window that ends here. Else the next one begins.
-bool HistoryRun::quiet()
-{
-    const bool ends = clock_.window > 0 && clock_.step != clock_.last &&
-                      clock_.step - clock_.window_from >= clock_.window;
-    if (!ends) return false;
-    const double borne = plan_.quiet * task_->model.layout.height;
-    if (plan_.quiet > 0.0 && window_.most - window_.least <= borne) return true;
-    window_ = {};
-    clock_.window_from = clock_.step + 1;
-    return false;
+    free_.add(clock_, top_u_);
 }
 
 template <class Real> bool HistoryRun::look(ShakenWalls<Real>& walls, int lane)
@@ -240,7 +186,8 @@ template <class Real> bool HistoryRun::look(ShakenWalls<Real>& walls, int lane)
     if (over) return false;
     ++clock_.step;
     watch(walls, lane);
-    return clock_.step < clock_.last && !quiet();
+    return clock_.step < clock_.last &&
+           !free_.quiet(clock_, plan_.quiet * task_->model.layout.height);
 }
 
 /// Energy balance, openings and collapse, now and then.
@@ -248,7 +195,7 @@ template <class Real> void HistoryRun::judge(const ShakenWalls<Real>& walls, int
 {
     judge_energy(walls, lane);
     if (r_.outcome != ShakeOutcome::stood) return;
-    const double time = static_cast<double>(clock_.step) * clock_.dt;
+    const double time = clock_.time();
     for (std::size_t k = 0; k < open_.size(); ++k) {
         const bool open = dem::lane(walls.state.u_n[k], lane) > 0.0;
         if (open_[k] == open) continue;
@@ -256,7 +203,7 @@ template <class Real> void HistoryRun::judge(const ShakenWalls<Real>& walls, int
         r_.last_opening = time;
         if (r_.first_opening == 0.0) r_.first_opening = time;
     }
-    judge_foot(walls, lane);
+    r_.uplift = std::max(r_.uplift, open_share(task_->tables, foot_, walls.state, lane));
     if (plan_.progress && clock_.step % (100 * kLookEvery) == 0)
         plan_.progress(static_cast<double>(clock_.step) / static_cast<double>(clock_.last),
                        top_u_);
@@ -265,43 +212,19 @@ template <class Real> void HistoryRun::judge(const ShakenWalls<Real>& walls, int
     r_.collapse_time = time;
 }
 
-/// Share of the lowest joint that is open.
-template <class Real> void HistoryRun::judge_foot(const ShakenWalls<Real>& walls, int lane)
-{
-    double all = 0.0, open = 0.0; // [m2]
-    for (const ContactRun& run : foot_)
-        for (int k = run.first; k < run.first + run.count; ++k) {
-            const double area = task_->tables.area[k];
-            all += area;
-            if (dem::lane(walls.state.u_n[k], lane) > 0.0) open += area;
-        }
-    if (all > 0.0) r_.uplift = std::max(r_.uplift, open / all);
-}
-
 template <class Real> void HistoryRun::judge_energy(const ShakenWalls<Real>& walls, int lane)
 {
-    Energy e = energy_of(task_->tables, walls.state, lane);
-    e.kinetic += dem::lane(kinetic_energy(task_->tables, walls), lane);
-    const double found =
-        e.kinetic + e.elastic + e.friction + e.fracture + e.crushing + e.damping;
-    passed_ = std::max({passed_, std::abs(e.work - stored_), std::abs(found - stored_),
-                        std::abs(dem::lane(walls.ground_work, lane)),
-                        std::abs(dem::lane(walls.fall_work, lane))});
-    const double missing = std::abs(e.work - found);
-    if (!std::isfinite(missing)) {
+    HistoryEnergy e{energy_of(task_->tables, walls.state, lane),
+                    dem::lane(walls.ground_work, lane), dem::lane(walls.fall_work, lane)};
+    e.all.kinetic += dem::lane(kinetic_energy(task_->tables, walls), lane);
+    if (!ledger_.read(e)) {
         r_.outcome = ShakeOutcome::not_finite;
         return;
     }
-    r_.energy = e;
-    most_missing_ = std::max(most_missing_, missing);
-    r_.residual =
-        most_missing_ / std::max(passed_, kLeastPassed * task_->model.layout.height * load_);
+    r_.energy = e.all;
+    r_.residual = ledger_.residual();
+    r_.still = ledger_.still();
     if (r_.residual > kLedger) r_.outcome = ShakeOutcome::energy_astray;
-    most_kinetic_ = std::max(most_kinetic_, e.kinetic);
-    // A swing stands still for a moment as well, where it turns.
-    const bool stands = e.kinetic <= kStill * most_kinetic_;
-    r_.still = stands && stood_;
-    stood_ = stands;
 }
 
 template <class Real> bool HistoryRun::collapsed(const ShakenWalls<Real>& walls, int lane) const
@@ -326,39 +249,22 @@ void HistoryRun::start_again()
     fresh.step_reductions = r_.step_reductions + 1;
     r_ = std::move(fresh);
     open_.clear();
-    further_ = stood_ = false;
-    top_x_ = passed_ = most_missing_ = most_kinetic_ = 0.0;
-    next_point_ = next_snapshot_ = 0.0;
-    window_ = {};
-}
-
-/// Whether the wall, in the mean by mass, has turned past length over height.
-template <class Real>
-bool HistoryRun::overturned(const ShakenWalls<Real>& walls, int lane) const
-{
-    const Layout& l = task_->model.layout;
-    double turned = 0.0, weight = 0.0;
-    for (std::size_t b = 0; b < masses_.size(); ++b) {
-        weight += masses_[b].mass;
-        turned += masses_[b].mass * dem::lane(walls.state.finite.frames[b].turn, lane);
-    }
-    return weight > 0.0 && std::abs(turned / weight) > std::atan2(l.length, l.height);
+    further_ = false;
+    top_x_ = next_point_ = next_snapshot_ = 0.0;
 }
 
 template <class Real> ShakeResult HistoryRun::finish(const ShakenWalls<Real>& walls, int lane)
 {
     const bool fell = r_.outcome == ShakeOutcome::collapsed;
-    r_.end = static_cast<double>(clock_.step) * clock_.dt;
+    r_.end = clock_.time();
     r_.steps = clock_.step;
     r_.seconds = seconds_;
     if (r_.outcome == ShakeOutcome::not_finite) return std::move(r_);
     top_u_ = displacement(walls.state, lane);
-    r_.residual_displacement = window_.counted > 0 && !r_.still
-                                   ? window_.sum / static_cast<double>(window_.counted)
-                                   : top_u_;
+    r_.residual_displacement = free_.any() && !r_.still ? free_.mean() : top_u_;
     r_.ground_work = dem::lane(walls.ground_work, lane);
     r_.fall_work = dem::lane(walls.fall_work, lane);
-    r_.overturned = fell && overturned(walls, lane);
+    r_.overturned = fell && overturned(task_->model.layout, masses_, walls.state.finite, lane);
     r_.at_end = snapshot(walls.state, lane);
     // A wall that fell never turned back.
     if (r_.at_most.blocks.empty() || fell) r_.at_most = r_.at_end;

@@ -2,7 +2,10 @@
 /// The history of one wall: its clock, its maxima, its verdict. The state of the wall itself is
 /// in a lane.
 
+#include "dem/shaking/free_vibration.hpp"
+#include "dem/shaking/history_ledger.hpp"
 #include "dem/shaking/shake.hpp"
+#include "dem/shaking/shaking_clock.hpp"
 #include "dem/shaking/shaking_step.hpp"
 
 #include <cstddef>
@@ -45,29 +48,16 @@ class HistoryRun {
     [[nodiscard]] ShakeResult finish(const ShakenWalls<Real>& walls, int lane);
 
   private:
-    /// Times of a history in steps, and what follows from the step.
-    struct Clock {
-        long long substeps = 1, step = 0, last = 0, record = 0;
-        double dt = 0.0; ///< [s]
-        /// A fifth of the free vibration, and where the one at hand begins.
-        long long window = 0, window_from = 0;
-    };
-
     void set_clock(const StepLimits& limits);
     [[nodiscard]] double damped_fraction(const StepLimits& limits) const;
-    [[nodiscard]] double ground(const std::vector<double>& acceleration) const;
     template <class Real>
     [[nodiscard]] double displacement(const WallState<Real>& state, int lane) const;
     template <class Real> void find_top(const WallState<Real>& state, int lane);
     template <class Real> void watch(const ShakenWalls<Real>& walls, int lane);
-    [[nodiscard]] bool quiet();
     template <class Real> void judge(const ShakenWalls<Real>& walls, int lane);
     template <class Real> void judge_energy(const ShakenWalls<Real>& walls, int lane);
-    template <class Real> void judge_foot(const ShakenWalls<Real>& walls, int lane);
     template <class Real>
     [[nodiscard]] bool collapsed(const ShakenWalls<Real>& walls, int lane) const;
-    template <class Real>
-    [[nodiscard]] bool overturned(const ShakenWalls<Real>& walls, int lane) const;
     template <class Real>
     [[nodiscard]] Snapshot snapshot(const WallState<Real>& state, int lane) const;
     [[nodiscard]] bool wants_smaller_step() const;
@@ -84,21 +74,16 @@ class HistoryRun {
     double peak_ = 0.0; ///< of the ground [m/s2]
     double seconds_ = 0.0;
     std::vector<int> top_blocks_; ///< whose mean displacement is told
-    Clock clock_;
+    ShakingClock clock_;
+    HistoryLedger ledger_;
+    FreeVibration free_;
     ShakeResult r_;
     double top_x_ = 0.0;           ///< of the top at rest [m]
     double top_u_ = 0.0;           ///< displacement of the top, now [m]
     bool further_ = false;         ///< the wall was never so far out
-    bool stood_ = false;           ///< still at the last look
     std::vector<ContactRun> foot_; ///< dry joints between what the ground holds and what moves
-    double passed_ = 0.0, most_missing_ = 0.0, stored_ = 0.0, most_kinetic_ = 0.0; ///< [J]
     double raised_ =
         0.0; ///< energy of blocks that are let go, above their undeformed place [J]
-    /// Top in the window of free vibration: sum over the steps, least and largest [m].
-    struct Window {
-        double sum = 0.0, least = 0.0, most = 0.0;
-        long long counted = 0;
-    } window_;
     double next_point_ = 0.0, next_snapshot_ = 0.0; ///< [s]
     std::vector<bool> open_;
 };

@@ -7,7 +7,7 @@
 /// the contacts, where it is asked for. Each wall has its own time step, in units of which its
 /// motion is.
 
-#include "dem/shaking/true_masses.hpp"
+#include "dem/shaking/step_limits.hpp"
 #include "dem/solver/state/wall_state.hpp"
 
 namespace dem {

@@ -1,11 +1,7 @@
 #include "dem/shaking/true_masses.hpp"
 
 #include "dem/block/model.hpp"
-#include "dem/solver/state/lane_laws.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <stdexcept>
 
 namespace dem {
@@ -45,16 +41,6 @@ void add_point(double mass, double x, double z, BlockMass& b)
     b.mass = all;
 }
 
-/// Masses of the rigid modes of a block [s2]: those of its pivot, in its first modes.
-Eigen::Matrix3d modal_mass(const BlockElement& e, const BlockMass& b)
-{
-    Eigen::Matrix3d m;
-    const double x = b.centre_x, z = b.centre_z;
-    m << b.mass, 0.0, b.mass * z, 0.0, b.mass, -b.mass * x, b.mass * z, -b.mass * x,
-        b.inertia + b.mass * (x * x + z * z);
-    return e.rigid.transpose() * m * e.rigid;
-}
-
 } // namespace
 
 std::vector<BlockMass> true_masses(const Model& m, const StepTables& t, const WallMaterials& w,
@@ -87,50 +73,13 @@ std::vector<BlockMass> true_masses(const Model& m, const StepTables& t, const Wa
     return all;
 }
 
-double reduced_mass(const std::array<int, 2>& blocks, const std::vector<BlockMass>& masses)
+Eigen::Matrix3d modal_mass(const BlockElement& e, const BlockMass& b)
 {
-    double inverse = 0.0;
-    for (const int b : blocks)
-        if (b != kGround && masses[b].mass > 0.0) inverse += 1.0 / masses[b].mass;
-    return inverse > 0.0 ? 1.0 / inverse : 0.0;
-}
-
-double normal_stiffness(const StepTables& t, std::size_t run, const WallMaterials& w,
-                        const Model& m)
-{
-    const ContactRun& r = t.dry[run];
-    double area = 0.0;
-    for (int k = r.first; k < r.first + r.count; ++k) area += t.area[k];
-    const JointMaterial& j = r.law < m.layout.n_joints    ? w.joints[r.law]
-                             : r.law == m.layout.n_joints ? w.base_joint
-                                                          : w.beam_joint;
-    return area * j.kn;
-}
-
-StepLimits step_limits(const Model& m, const StepTables& t, const WallMaterials& w,
-                       const std::vector<BlockMass>& masses, double stiffer)
-{
-    StepLimits limits;
-    limits.all = limits.contact = std::numeric_limits<double>::infinity();
-    const std::vector<double> ratio = stiffness_ratio(m, w);
-    for (std::size_t b = 0; b < masses.size(); ++b) {
-        double limit = std::numeric_limits<double>::infinity();
-        if (masses[b].mass > 0.0) {
-            const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
-                modal_mass(m.elements[m.places[b].element], masses[b]));
-            limit = std::sqrt(2.0 * solver.eigenvalues()(0) / (stiffer * ratio[b]));
-        }
-        limits.block.push_back(limit);
-        limits.all = std::min(limits.all, limit);
-    }
-    for (std::size_t r = 0; r < t.dry.size(); ++r) {
-        const double mass = reduced_mass(t.dry_blocks[r], masses);
-        if (mass > 0.0)
-            limits.contact =
-                std::min(limits.contact,
-                         2.0 * std::sqrt(mass / (stiffer * normal_stiffness(t, r, w, m))));
-    }
-    return limits;
+    Eigen::Matrix3d m;
+    const double x = b.centre_x, z = b.centre_z;
+    m << b.mass, 0.0, b.mass * z, 0.0, b.mass, -b.mass * x, b.mass * z, -b.mass * x,
+        b.inertia + b.mass * (x * x + z * z);
+    return e.rigid.transpose() * m * e.rigid;
 }
 
 } // namespace dem

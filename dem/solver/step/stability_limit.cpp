@@ -48,9 +48,29 @@ Ritz largest(const Vector& diagonal, const Vector& beside)
             std::abs(beside.back() * solver.eigenvectors()(n - 1, n - 1))};
 }
 
+/// q = R v
+void apply(const MassRoots& roots, const Vector& v, Vector& q)
+{
+    for (std::size_t m = 0; m < v.size(); ++m) q[m] = roots.modes[m] * v[m];
+    for (const MassRoots::Rigid& r : roots.rigid) {
+        Eigen::Map<Eigen::Vector3d> three(q.data() + r.first_mode);
+        three = Eigen::Vector3d(r.root * three);
+    }
+}
+
+/// w = R^T w
+void apply_transposed(const MassRoots& roots, Vector& w)
+{
+    for (std::size_t m = 0; m < w.size(); ++m) w[m] *= roots.modes[m];
+    for (const MassRoots::Rigid& r : roots.rigid) {
+        Eigen::Map<Eigen::Vector3d> three(w.data() + r.first_mode);
+        three = Eigen::Vector3d(r.root.transpose() * three);
+    }
+}
+
 } // namespace
 
-double largest_frequency(const StepTables& t, WallState<double>& s)
+double largest_frequency(const StepTables& t, const MassRoots& roots, WallState<double>& s)
 {
     const std::size_t n = s.laws.inv_mass.size();
     Vector v = start_vector(n), before(n, 0.0), q(n), w(n);
@@ -58,9 +78,9 @@ double largest_frequency(const StepTables& t, WallState<double>& s)
     Vector diagonal, beside;
     Ritz ritz{std::nan(""), 0.0};
     for (int i = 1; i <= kMostIterations; ++i) {
-        for (std::size_t m = 0; m < n; ++m) q[m] = std::sqrt(s.laws.inv_mass[m]) * v[m];
+        apply(roots, v, q);
         apply_stiffness(t, q, s, w);
-        for (std::size_t m = 0; m < n; ++m) w[m] *= std::sqrt(s.laws.inv_mass[m]);
+        apply_transposed(roots, w);
         const double alpha = dot(v, w), last = beside.empty() ? 0.0 : beside.back();
         for (std::size_t m = 0; m < n; ++m) w[m] -= alpha * v[m] + last * before[m];
         diagonal.push_back(alpha);
@@ -78,6 +98,13 @@ double largest_frequency(const StepTables& t, WallState<double>& s)
     s.du.assign(s.du.size(), 0.0);
     s.stress.assign(s.stress.size(), 0.0);
     return std::sqrt(ritz.value);
+}
+
+double largest_frequency(const StepTables& t, WallState<double>& s)
+{
+    MassRoots roots;
+    for (const double inverse : s.laws.inv_mass) roots.modes.push_back(std::sqrt(inverse));
+    return largest_frequency(t, roots, s);
 }
 
 double step_over_limit(const StepTables& t, WallState<double>& s, const SolverOptions& options)

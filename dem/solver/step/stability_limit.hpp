@@ -23,12 +23,29 @@
 #include "dem/solver/state/solver_options.hpp"
 #include "dem/solver/state/wall_state.hpp"
 
+#include <Eigen/Core>
+
+#include <vector>
+
 namespace dem {
 
-/// omega_max [1/step], too small by at most 1e-3 of itself. Lanczos iteration without
+/// A matrix R with R R^T = M^-1. Masses of rigid motions may be coupled in each block.
+struct MassRoots {
+    std::vector<double> modes; ///< by mode: 1 / sqrt(mass), or 1 of a mode of `rigid`
+    struct Rigid {
+        int first_mode = 0;
+        Eigen::Matrix3d root; ///< R of three modes
+    };
+    std::vector<Rigid> rigid;
+};
+
+/// omega_max, too small by at most 1e-3 of itself. Lanczos iteration without
 /// reorthogonalisation: copies of the largest eigenvalue do no harm. NaN if numbers of the wall
 /// are out of range.
 /// @param state one unloaded wall; it is left unchanged
+[[nodiscard]] double largest_frequency(const StepTables& tables, const MassRoots& roots,
+                                       WallState<double>& state);
+/// The same with the masses of the state [1/step].
 [[nodiscard]] double largest_frequency(const StepTables& tables, WallState<double>& state);
 
 /// Time step of this wall over the largest stable one [-], with the damping of the options.

@@ -1,0 +1,45 @@
+#pragma once
+/// The top of a wall after the record: where it comes to lie, and when nothing comes of it any
+/// more.
+///
+/// The free vibration is looked at in windows of a fifth of its longest time. It is quiet after
+/// a window in which the top has hardly moved, and after one in which it swings a little about
+/// the same place as in the window before. Joints hardly damp the lowest frequencies of a wall,
+/// so that a small swing lasts for minutes and changes nothing.
+
+#include "dem/shaking/shaking_clock.hpp"
+
+namespace dem {
+
+class FreeVibration {
+  public:
+    FreeVibration() = default;
+    explicit FreeVibration(const ShakingClock& clock);
+
+    /// Takes the place of the top [m] at this step of the clock.
+    void add(const ShakingClock& clock, double top);
+
+    /// Whether the wall is quiet with the window that ends at this step; else the next one
+    /// begins where this one has ended.
+    /// @param borne motion of the top in a window [m]; 0: never quiet
+    [[nodiscard]] bool quiet(const ShakingClock& clock, double borne);
+
+    [[nodiscard]] bool any() const { return now_.counted > 0; }
+    /// Mean place of the top in the window at hand [m]; of any().
+    [[nodiscard]] double mean() const { return mean_of(now_); }
+
+  private:
+    struct Window {
+        double sum = 0.0, least = 0.0, most = 0.0; ///< over its steps [m]
+        long long counted = 0;
+    };
+    [[nodiscard]] static double mean_of(const Window& window)
+    {
+        return window.sum / static_cast<double>(window.counted);
+    }
+
+    long long length_ = 0, from_ = 0; ///< of a window; where the one at hand begins [steps]
+    Window now_, before_;
+};
+
+} // namespace dem

@@ -1,0 +1,80 @@
+/// When the free vibration of a wall that was shaken is over.
+
+#include "dem/shaking/free_vibration.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace {
+
+constexpr double kBorne = 1e-4; // [m]
+
+struct Motion {
+    const char* name;
+    double swing; ///< from side to side, over what is borne [-]
+    double shift; ///< of the middle in a window, over what is borne [-]
+    int windows;  ///< until it is quiet; 0: it never is
+};
+
+dem::ShakingClock clock_of_five_windows()
+{
+    dem::ShakePlan plan;
+    plan.step = 0.01;
+    plan.horizontal.assign(101, 0.0);
+    plan.free_vibration = 5.0;
+    return dem::shaking_clock(plan, 1e-3);
+}
+
+/// Windows until the wall is quiet, and the mean of the top in the last one [m].
+std::pair<int, double> quiet_after(const Motion& motion, double borne)
+{
+    dem::ShakingClock clock = clock_of_five_windows();
+    dem::FreeVibration top(clock);
+    const long long window = (clock.last - clock.record) / 5;
+    for (; clock.step < clock.last; ++clock.step) {
+        const double time = clock.time() - 1.0; // since the record has ended [s]
+        const double at = 0.5 * motion.swing * std::sin(2.0 * std::numbers::pi * 7.0 * time) +
+                          motion.shift * time;
+        top.add(clock, kBorne * at);
+        if (top.quiet(clock, borne))
+            return {static_cast<int>((clock.step - clock.record) / window), top.mean()};
+    }
+    return {0, top.mean()};
+}
+
+} // namespace
+
+TEST_CASE("free vibration: it is over where the top rests, or swings a little about one place",
+          "[dem][shaking][free_vibration]")
+{
+    const auto m = GENERATE(values<Motion>({{"stands", 0.0, 0.0, 1},
+                                            {"rests", 0.9, 0.0, 1},
+                                            {"swings a little", 9.0, 0.0, 2},
+                                            {"swings", 11.0, 0.0, 0},
+                                            {"swings a little and creeps", 9.0, 0.09, 2},
+                                            {"swings a little and moves", 9.0, 0.12, 0}}));
+    INFO(m.name);
+    const auto [windows, mean] = quiet_after(m, kBorne);
+    CHECK(windows == m.windows);
+    CHECK(std::abs(mean) <= kBorne);
+    CHECK(quiet_after(m, 0.0).first == 0);
+}
+
+TEST_CASE("free vibration: it is looked at after the record alone",
+          "[dem][shaking][free_vibration]")
+{
+    const dem::ShakingClock clock = clock_of_five_windows();
+    dem::FreeVibration top(clock);
+    dem::ShakingClock early = clock;
+    for (; early.step < clock.record; ++early.step) {
+        top.add(early, 1.0);
+        CHECK_FALSE(top.any());
+        if (top.any()) break;
+    }
+    CHECK(early.time() == Approx(1.0));
+    top.add(early, 2.0);
+    CHECK(top.mean() == 2.0);
+}
