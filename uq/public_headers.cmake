@@ -39,6 +39,7 @@ set(UQ_PUBLIC_HEADERS
     marginals/uniform.hpp
     marginals/weibull.hpp
     reliability/active_learning.hpp
+    reliability/active_quantile.hpp
     reliability/black_box.hpp
     reliability/control_variate.hpp
     reliability/crude_monte_carlo.hpp

@@ -1,6 +1,7 @@
 set(UQ_RELIABILITY_SOURCES
     reliability/active_checks.cpp
     reliability/active_learning.cpp
+    reliability/active_quantile.cpp
     reliability/control_variate.cpp
     reliability/crude_monte_carlo.cpp
     reliability/design_methods.cpp
@@ -23,6 +24,7 @@ set(UQ_RELIABILITY_SOURCES
     reliability/multi_fidelity.cpp
     reliability/multi_fidelity_plan.cpp
     reliability/next_points.cpp
+    reliability/quantile_checks.cpp
     reliability/reliability.cpp
     reliability/sorm.cpp
     reliability/sorm_paraboloid.cpp

@@ -1,6 +1,7 @@
 set(TEST_UQ_RELIABILITY_SOURCES
     uq/reliability_problems.cpp
     uq/test_active_learning.cpp
+    uq/test_active_quantile.cpp
     uq/test_control_variate.cpp
     uq/test_crude_monte_carlo.cpp
     uq/test_evaluate.cpp

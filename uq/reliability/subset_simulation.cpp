@@ -70,8 +70,8 @@ struct LineageScatter {
 };
 
 /// The variance is a sum of squares of families f, mostly of few large ones: it scatters like a
-/// chi-squared variable of 2 (sum f^2)^2 / sum f^4 degrees of freedom, which have the same first
-/// two moments (Satterthwaite 1946), less one for the mean.
+/// chi-squared variable with 2 (sum f^2)^2 / sum f^4 degrees of freedom, which has the same
+/// first two moments (Satterthwaite 1946), less one for the mean.
 LineageScatter lineage_scatter(const Population& p, const Rows& rows)
 {
     const auto n = static_cast<double>(p.g.size());
