@@ -143,6 +143,9 @@ TEST_CASE(
     CHECK(coordinate(gamma, 2.0) == 4.0);
     CHECK(family_of({Beta{2.0, 4.0, 10.0, 30.0}, 12.0}) == PolynomialFamily::legendre);
     CHECK(family_of({Gamma{3.0, 0.5}, 0.1}) == PolynomialFamily::hermite);
+    CHECK(family_of({Beta{2.0, 4.0, 10.0, 30.0}, 0.0, 90.0}).kind == PolynomialFamily::jacobi);
+    CHECK(family_of({Gamma{3.0, 0.5}, 0.0, 1e3}).kind == PolynomialFamily::laguerre);
+    CHECK(family_of({Gamma{3.0, 0.5}, 0.0, 5.0}) == PolynomialFamily::hermite);
     // the density of the coordinate is that of the family: means of c by its first polynomial
     for (const Marginal& m : {beta, gamma}) {
         const PolynomialFamily f = family_of(m);

@@ -119,6 +119,18 @@ bool reached(const std::vector<QuantileRound>& rounds, const ActiveQuantileOptio
     return p.std_error <= o.active.target_cov * o.probability;
 }
 
+/// Few checks do not tell a quantile just below censored answers from one among them: an upper
+/// end that lies nearer to them than the interval is wide is unknown, and then an estimate that
+/// lies nearer to them than to the lower end.
+void leave_open(ActiveQuantileResult& r, double known_below)
+{
+    if (std::isinf(known_below)) return;
+    if (known_below - r.interval.upper <= r.interval.upper - r.interval.lower)
+        r.interval.upper = kNoEnd;
+    if (std::isinf(r.interval.upper) && known_below - r.value <= r.value - r.interval.lower)
+        r.value = std::numeric_limits<double>::quiet_NaN();
+}
+
 /// The quantile and its interval from all checks.
 void answer(ActiveQuantileResult& r, const std::vector<QuantileRound>& rounds,
             const ActiveQuantileOptions& o, const Eigen::VectorXd& y)
@@ -136,7 +148,8 @@ void answer(ActiveQuantileResult& r, const std::vector<QuantileRound>& rounds,
     if (c.lower) r.interval.lower = *c.lower;
     if (c.upper) r.interval.upper = *c.upper;
     if (c.value) r.value = *c.value;
-    r.outcome = !c.value             ? SamplingOutcome::none_passed
+    leave_open(r, o.known_below);
+    r.outcome = std::isnan(r.value)  ? SamplingOutcome::none_passed
                 : reached(rounds, o) ? SamplingOutcome::target_reached
                                      : SamplingOutcome::limit_reached;
 }

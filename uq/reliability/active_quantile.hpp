@@ -8,7 +8,8 @@ namespace uq {
 
 struct ActiveQuantileOptions {
     double probability = 0.05; ///< that the response is at or below the quantile, (0, 1/2]
-    /// Evaluations, and the target: coefficient of variation of the probability at the quantile.
+    /// Evaluations, and the target: coefficient of variation of the probability at the
+    /// quantile.
     ActiveOptions active{};
     /// Answers from here on are censored: the response is known to be that large or larger.
     double known_below = std::numeric_limits<double>::infinity();
@@ -32,10 +33,11 @@ struct ActiveQuantileResult {
 ///   Y_i(t) = P_i(t) + (phi / q)(u_i) (I(y(u_i) <= t) - passing_i(u_i, t)),
 ///
 /// so that the mean of all checks is the distribution function near the quantile. Its crossing
-/// of the probability is the answer, and the interval goes on both sides as far as the interval of
-/// P(y <= t) holds the probability (Woodruff 1952). A round learns where the last one's quantile has, by
-/// the new process, another probability by half, or where it saves more checks than it costs.
-/// Failed evaluations are below every t at the lower end and above at the upper end.
+/// of the probability is the answer, and the interval goes on both sides as far as the interval
+/// of P(y <= t) holds the probability (Woodruff 1952). A round learns where the last one's
+/// quantile has, by the new process, another probability by half, or where it saves more checks
+/// than it costs. Failed evaluations are below every t at the lower end and above at the upper
+/// end.
 /// @param s its threshold is not used; passing must be at_or_below
 /// @throws std::invalid_argument naming the option that is out of range
 [[nodiscard]] ActiveQuantileResult active_quantile(const LimitState& s,

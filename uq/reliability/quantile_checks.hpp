@@ -35,7 +35,7 @@ struct ProbabilityBelow {
 [[nodiscard]] ProbabilityBelow probability_below(const std::vector<QuantileRound>& rounds,
                                                  double t, double confidence);
 
-/// Where the probability is crossed, and the nearest places on either side of which it is not in
+/// Where the probability is crossed, and the nearest places on either side where it is not in
 /// the interval. Each is nothing where it is not between `least` and `most`.
 struct QuantileCrossing {
     std::optional<double> value, lower, upper;

@@ -23,7 +23,15 @@ std::string shortest(double x)
     return " " + std::string(text.data(), end);
 }
 
-bool is_cut(const Marginal& m) { return !std::isinf(m.lower) || !std::isinf(m.upper); }
+constexpr double kNothingCut = 1e-12; // of the probability: orthonormal to rounding
+
+/// Whether the limits of a variable cut off a part of its shape. Keys have limits of their own.
+template <class ShapeOf> bool is_cut(const Marginal& m, const ShapeOf& shape)
+{
+    const double below = std::isinf(m.lower) ? 0.0 : lower_tail(shape, m.lower);
+    const double above = std::isinf(m.upper) ? 0.0 : upper_tail(shape, m.upper);
+    return below + above > kNothingCut;
+}
 
 /// Coefficients of sqrt(next) p_k+1 = (c - middle) p_k - sqrt(last) p_k-1 (Gautschi 2004, table
 /// 1.1).
@@ -76,9 +84,10 @@ PolynomialFamily family_named(const std::string& text)
 
 PolynomialFamily family_of(const Marginal& m)
 {
-    if (const Beta* beta = std::get_if<Beta>(&m.shape); beta != nullptr && !is_cut(m))
+    if (const Beta* beta = std::get_if<Beta>(&m.shape); beta != nullptr && !is_cut(m, *beta))
         return {PolynomialFamily::jacobi, beta->beta - 1.0, beta->alpha - 1.0};
-    if (const Gamma* gamma = std::get_if<Gamma>(&m.shape); gamma != nullptr && !is_cut(m))
+    if (const Gamma* gamma = std::get_if<Gamma>(&m.shape);
+        gamma != nullptr && !is_cut(m, *gamma))
         return {PolynomialFamily::laguerre, gamma->shape - 1.0};
     const bool two_ends = std::holds_alternative<Uniform>(m.shape) ||
                           std::holds_alternative<Triangular>(m.shape) ||
