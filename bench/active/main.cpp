@@ -109,7 +109,8 @@ void write_problems(const std::string& path, int runs)
         std::to_string(kBudget) +
         ". Errors are those of the probability, over the exact one. Told: mean standard error "
         "that the method states. Holds: 95 % intervals that hold the exact probability; truth "
-        "below and above: where it lies else. Target: runs that reached it. Other methods on the "
+        "below and above: where it lies else. Target: runs that reached it. Other methods on "
+        "the "
         "same limit states: [active_openturns.md](active_openturns.md).";
     bench::write_report(
         path,
