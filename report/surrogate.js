@@ -1,8 +1,29 @@
 // Walls that were never run: the formulas of docs/surrogates.md, "Predict from the file". c: coordinates of the inputs of a wall.
 
-/** Values at c of the polynomials of degree 0 ... most with mean square 1. */
+/** Coefficients of sqrt(next) p_k+1 = (c - middle) p_k - sqrt(last) p_k-1: laguerre a, jacobi a b. */
+function recurrence(kind, a, b, k) {
+    if (kind === 'laguerre') return { middle: 2 * k + 1 + a, last: k * (k + a), next: (k + 1) * (k + 1 + a) };
+    const square = (n) => {
+        const s = 2 * n + a + b;
+        if (n === 0) return 0;
+        if (n === 1) return (4 * (1 + a) * (1 + b)) / (s * s * (s + 1));
+        return (4 * n * (n + a) * (n + b) * (n + a + b)) / (s * s * (s + 1) * (s - 1));
+    };
+    const s = 2 * k + a + b;
+    return { middle: k === 0 ? (b - a) / (s + 2) : (b * b - a * a) / (s * (s + 2)), last: square(k), next: square(k + 1) };
+}
+
+/** Values at c of the polynomials of degree 0 ... most with mean square 1. family: "hermite", "jacobi 0.5 1" */
 function orthonormal(family, most, c) {
     const p = [1];
+    const [kind, a, b] = family.split(' ');
+    if (kind === 'jacobi' || kind === 'laguerre') {
+        for (let k = 0; k < most; ++k) {
+            const r = recurrence(kind, Number(a), Number(b), k);
+            p.push(((c - r.middle) * p[k] - (k > 0 ? Math.sqrt(r.last) * p[k - 1] : 0)) / Math.sqrt(r.next));
+        }
+        return p;
+    }
     if (family === 'hermite') {
         for (let k = 0; k < most; ++k) p.push((c * p[k] - (k > 0 ? Math.sqrt(k) * p[k - 1] : 0)) / Math.sqrt(k + 1));
         return p;
@@ -42,6 +63,9 @@ function forward(L, b) {
     return x;
 }
 
+/** Variance of the noise of a wall. */
+const noiseAt = (process, c) => process.noise * Math.exp(process.noise_slopes ? scalar(process.noise_slopes, c) : 0);
+
 /** A process that is ready to predict: at(c) -> {mean, variance}, the variance without noise. */
 function conditioned(process) {
     const correlation = (a, b) => {
@@ -51,8 +75,8 @@ function conditioned(process) {
         const s = Math.sqrt(5 * r2); // Matern 5/2
         return (1 + s + (s * s) / 3) * Math.exp(-s);
     };
-    const { points, variance, noise } = process;
-    const L = cholesky(points.map((p, i) => points.slice(0, i + 1).map((q, j) => variance * correlation(p, q) + (i === j ? noise : 0))));
+    const { points, variance } = process;
+    const L = cholesky(points.map((p, i) => points.slice(0, i + 1).map((q, j) => variance * correlation(p, q) + (i === j ? noiseAt(process, p) : 0))));
     const one = forward(L, points.map(() => 1));
     return (c) => {
         const k = points.map((p) => variance * correlation(p, c));
@@ -69,7 +93,7 @@ export function predicted(level, families, c) {
     if (level.better === 'chaos') return { mean: chaosMean(level.chaos, families, c), sd: level.chaos.error.rmse };
     if (!ready.has(level)) ready.set(level, conditioned(level.process));
     const { mean, variance } = ready.get(level)(c);
-    return { mean, sd: Math.sqrt(level.process.inflation * (variance + level.process.noise)) };
+    return { mean, sd: Math.sqrt(level.process.inflation * (variance + noiseAt(level.process, c))) };
 }
 
 /** Places of the inputs that lie beyond those of the walls learned from. */

@@ -39,6 +39,7 @@ set(UQ_PUBLIC_HEADERS
     marginals/shapes/uniform.hpp
     marginals/shapes/weibull.hpp
     reliability/active/active_learning.hpp
+    reliability/active/active_quantile.hpp
     reliability/limit_state/black_box.hpp
     reliability/simulation/control_variate.hpp
     reliability/simulation/crude_monte_carlo.hpp

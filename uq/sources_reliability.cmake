@@ -1,6 +1,7 @@
 set(UQ_RELIABILITY_SOURCES
     reliability/active/active_checks.cpp
     reliability/active/active_learning.cpp
+    reliability/active/active_quantile.cpp
     reliability/simulation/control_variate.cpp
     reliability/simulation/crude_monte_carlo.cpp
     reliability/design_methods.cpp
@@ -23,6 +24,7 @@ set(UQ_RELIABILITY_SOURCES
     reliability/simulation/multi_fidelity.cpp
     reliability/simulation/multi_fidelity_plan.cpp
     reliability/active/next_points.cpp
+    reliability/active/quantile_checks.cpp
     reliability/reliability.cpp
     reliability/design_point/sorm.cpp
     reliability/design_point/sorm_paraboloid.cpp

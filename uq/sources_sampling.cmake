@@ -29,6 +29,5 @@ set(UQ_SAMPLING_SOURCES
     designs/stream.cpp
     fields/field.cpp
     fields/field_basis.cpp
-    fields/field_product.cpp
     fields/kernel.cpp
     fields/spatial_sample.cpp)

@@ -73,6 +73,35 @@ Table method_table(const uq::ReliabilityProblem& p, const uq::ReliabilityAnswer&
     return t;
 }
 
+/// "5 % quantile of the ultimate drift under 1.00 MPa"
+std::string quantile_words(const uq::ReliabilityProblem& p)
+{
+    return number(100.0 * p.quantile, 6) + " % quantile of " + p.words;
+}
+
+/// The response that is sought, in the unit in which people read it.
+Table quantile_table(const Question& q, const uq::ReliabilityAnswer& a)
+{
+    Table t;
+    t.title = quantile_words(q.problem);
+    t.caption =
+        "Intervals are 95 %; an end that is missing is not known. " + evaluations_text(a);
+    t.head = {"method", q.response.name, "lower", "upper", {"outcome", kNote}};
+    const auto shown = [&](const std::optional<double>& x) {
+        return x ? cell(q.response.scale * *x) : Number{};
+    };
+    for (const uq::MethodAnswer& m : a.methods)
+        t.rows.push_back(
+            {m.method, shown(m.quantile), shown(m.lower), shown(m.upper), m.outcome});
+    return t;
+}
+
+/// The table of the question that was asked.
+Table answer_table(const Question& q, const uq::ReliabilityAnswer& a)
+{
+    return q.problem.quantile > 0.0 ? quantile_table(q, a) : method_table(q.problem, a);
+}
+
 /// One line for each input and measure.
 Table sensitivity_table(const uq::ReliabilityAnswer& a)
 {
@@ -147,13 +176,26 @@ std::string answer_json(const Question& q, const uq::ReliabilityAnswer& a)
                 {"failed", a.failed.size()},    {"methods", Json::array()},
                 {"sensitivity", Json::array()}, {"design_points", Json::array()},
                 {"warnings", a.warnings}};
-    for (const uq::MethodAnswer& m : a.methods)
-        all["methods"].push_back({{"method", m.method},
-                                  {"probability", or_null(m.probability)},
-                                  {"standard_error", or_null(m.std_error)},
-                                  {"lower", or_null(m.lower)},
-                                  {"upper", or_null(m.upper)},
-                                  {"outcome", m.outcome}});
+    const auto shown = [&](const std::optional<double>& x) {
+        return x ? or_null(q.response.scale * *x) : Json();
+    };
+    if (q.problem.quantile > 0.0) {
+        all["event"] = quantile_words(q.problem);
+        all["quantile"] = q.problem.quantile;
+        for (const uq::MethodAnswer& m : a.methods)
+            all["methods"].push_back({{"method", m.method},
+                                      {q.response.name, shown(m.quantile)},
+                                      {"lower", shown(m.lower)},
+                                      {"upper", shown(m.upper)},
+                                      {"outcome", m.outcome}});
+    } else
+        for (const uq::MethodAnswer& m : a.methods)
+            all["methods"].push_back({{"method", m.method},
+                                      {"probability", or_null(m.probability)},
+                                      {"standard_error", or_null(m.std_error)},
+                                      {"lower", or_null(m.lower)},
+                                      {"upper", or_null(m.upper)},
+                                      {"outcome", m.outcome}});
     for (const uq::Sensitivity& s : a.sensitivities) {
         Json inputs = Json::array();
         for (const uq::InputShare& i : s.shares) inputs.push_back(share_json(i));
@@ -201,7 +243,7 @@ void write(const Command& command, const Question& q, const uq::ReliabilityAnswe
 {
     std::vector<OutputFile> files = {{kEvaluations, as_csv(evaluation_table(q, seen))}};
     const Table sensitivity = sensitivity_table(a);
-    add_table(files, "reliability", method_table(q.problem, a));
+    add_table(files, "reliability", answer_table(q, a));
     if (!sensitivity.rows.empty()) add_table(files, "sensitivity", sensitivity);
     if (!a.points.empty()) add_table(files, "design_points", point_table(q, a));
     files.push_back({"reliability.json", answer_json(q, a)});
@@ -215,10 +257,9 @@ void print(const Table& table)
               << as_text(table, terminal_width());
 }
 
-void say(const Command& command, const uq::ReliabilityProblem& problem,
-         const uq::ReliabilityAnswer& a)
+void say(const Command& command, const Question& q, const uq::ReliabilityAnswer& a)
 {
-    print(method_table(problem, a));
+    print(answer_table(q, a));
     if (const Table sensitivity = sensitivity_table(a); !sensitivity.rows.empty()) {
         std::cout << '\n';
         print(sensitivity);
@@ -287,14 +328,14 @@ uq::ReliabilityAnswer answered(const Command& command, const Question& question)
 int reliability_command(const Command& command)
 {
     const Question question = question_of(command);
-    const uq::ReliabilityProblem& problem = question.problem;
     check_folder(command);
     catch_interrupts();
     try {
         const uq::ReliabilityAnswer a = answered(command, question);
-        say(command, problem, a);
-        const bool any = std::ranges::any_of(
-            a.methods, [](const uq::MethodAnswer& m) { return m.probability || m.upper; });
+        say(command, question, a);
+        const bool any = std::ranges::any_of(a.methods, [](const uq::MethodAnswer& m) {
+            return m.probability || m.quantile || m.lower || m.upper;
+        });
         return any && a.failed.size() < a.evaluations ? 0 : 1;
     } catch (const Interrupted&) {
         throw Interrupted{"the evaluations made so far are in " + command.out +

@@ -31,7 +31,8 @@ Demand demand_of(const Study& study)
     std::string text = study.reliability.demand;
     if (text.empty())
         throw error_at(study.source, "reliability.demand",
-                       "missing; write e.g. \"demand = 40 kN\" under [reliability]");
+                       "missing; write e.g. \"demand = 40 kN\" under [reliability], or with "
+                       "method = active a quantile, such as \"quantile = 0.05\"");
     const WallNumber& r = response_of(study);
     const bool percent = r.unit.name == "%";
     if (percent && text.ends_with('%'))
@@ -43,15 +44,21 @@ Demand demand_of(const Study& study)
             words(r) + " <= " + text + (percent ? " %" : "")};
 }
 
-/// A push that ends before the demand can never show it.
-void check_reached(const Study& study, const Demand& demand)
+/// The response of a wall that outlasts its push.
+double end_of_push(const Study& study)
 {
-    const WallNumber& r = response_of(study);
     const double last = push_way(study).farthest;
     WallReading farthest;
     farthest.peak = fragility::Peak{0.0, last, true};
     farthest.ultimate = {last, fragility::Reading::censored, {}};
-    if (r.ends_with_push && demand.value >= r.reading(farthest, study.load.height))
+    return response_of(study).reading(farthest, study.load.height);
+}
+
+/// A push that ends before the demand can never show it.
+void check_reached(const Study& study, const Demand& demand)
+{
+    const double last = push_way(study).farthest;
+    if (response_of(study).ends_with_push && demand.value >= end_of_push(study))
         throw error_at(study.source, "reliability.demand",
                        "must be below the end of the push, load.max_displacement = " +
                            number(last * 1e3, 12) + " mm");
@@ -85,8 +92,13 @@ uq::ReliabilityProblem wall_problem(const PreparedStudy& ready, const std::strin
     refuse_layouts(study);
     check_random(study);
     const int level = level_of(study, stress_name);
-    const Demand demand = demand_of(study);
-    check_reached(study, demand);
+    const bool quantile = study.reliability.quantile > 0.0;
+    if (quantile && !study.reliability.demand.empty())
+        throw error_at(study.source, "reliability.demand",
+                       "a demand and reliability.quantile are two questions; remove one");
+    const Demand demand =
+        quantile ? Demand{0.0, std::string(words(response_of(study)))} : demand_of(study);
+    if (!quantile) check_reached(study, demand);
     const SamplePlan plan = any_wall_plan(study, ready.layout);
 
     uq::ReliabilityProblem p = asked_problem(study, plan.values.n_columns);
@@ -94,6 +106,8 @@ uq::ReliabilityProblem wall_problem(const PreparedStudy& ready, const std::strin
     p.event.to_physical = wall_map(study, plan);
     p.event.response = static_cast<Eigen::Index>(study.reliability.response);
     p.event.threshold = demand.value;
+    p.quantile = study.reliability.quantile;
+    if (quantile && response_of(study).ends_with_push) p.known_below = end_of_push(study);
     const double stress = study.load.vertical_stress[level];
     p.words = demand.words + " under " + stress_text(stress);
     for (const Column& c : input_columns(plan)) p.inputs.push_back(c.name);

@@ -45,6 +45,18 @@ Matrix matrix_at(const Json& object, const char* key, std::size_t columns)
     return m;
 }
 
+/// The family that the file names. One of an earlier version has Legendre for beta variables.
+uq::PolynomialFamily learned_family(const std::string& text, const std::string& key,
+                                    const uq::Marginal& marginal)
+{
+    const uq::PolynomialFamily family = uq::family_named(text);
+    const bool linear = family.kind == uq::PolynomialFamily::jacobi ||
+                        family.kind == uq::PolynomialFamily::laguerre;
+    if (linear && family != uq::family_of(marginal))
+        throw Damage(key + ": coordinate " + in_quotes(text) + " is not of its distribution");
+    return family;
+}
+
 LearnedInput learned_input(const Json& j)
 {
     const std::string name = j.at("key");
@@ -54,7 +66,7 @@ LearnedInput learned_input(const Json& j)
     const std::optional<RandomInput> random = parse_random(*key, text);
     if (!random) throw Damage(name + ": " + in_quotes(text) + " is no distribution");
     return {name, j.at("unit"), key->unit.empty() ? 1.0 : from_si(1.0, key->unit),
-            random->marginal};
+            random->marginal, learned_family(j.at("coordinate"), name, random->marginal)};
 }
 
 uq::ProcessKernel kernel_at(const Json& process)
@@ -74,14 +86,15 @@ void read_process(const Json& j, std::size_t inputs, LearnedLevel& level)
     level.process = uq::condition(
         {matrix_at<Eigen::MatrixXd>(j, "points", inputs), vector_at(j, "responses")},
         kernel_at(j), uq::ProcessTrend::constant,
-        {j.at("variance"), vector_at(j, "lengths"), j.at("noise")});
+        {j.at("variance"), vector_at(j, "lengths"), j.at("noise"),
+         j.contains("noise_slopes") ? vector_at(j, "noise_slopes") : Eigen::VectorXd()});
     level.inflation = uq::inflation_of(uq::leave_one_out(*level.process));
 }
 
 void read_chaos(const Json& j, const std::vector<LearnedInput>& inputs, LearnedLevel& level)
 {
     uq::PolynomialChaos chaos;
-    for (const LearnedInput& in : inputs) chaos.families.push_back(uq::family_of(in.marginal));
+    for (const LearnedInput& in : inputs) chaos.families.push_back(in.family);
     chaos.degrees = matrix_at<Eigen::MatrixXi>(j, "degrees", inputs.size());
     chaos.coefficients = vector_at(j, "coefficients");
     if (chaos.coefficients.size() != chaos.degrees.rows())
@@ -141,7 +154,8 @@ LearnedLevel learned_level(const Json& j, const std::vector<LearnedInput>& input
 
 LearnedSurrogate learned(const Json& j)
 {
-    if (!j.is_object() || j.value("format", "") != kSurrogateFormat)
+    const std::string format = j.is_object() ? j.value("format", "") : "";
+    if (format != kSurrogateFormat && format != kNewerSurrogateFormat)
         throw Damage("is not a surrogate; give the surrogate.json that drystone surrogate "
                      "FILE.h5 wrote");
     LearnedSurrogate s;
@@ -187,7 +201,7 @@ Eigen::MatrixXd surrogate_coordinates(const LearnedSurrogate& s, const Eigen::Ma
         const LearnedInput& in = s.inputs[static_cast<std::size_t>(k)];
         for (Eigen::Index i = 0; i < x.rows(); ++i) {
             if (!std::isfinite(x(i, k))) throw BadValue(in.key + ": must be a finite number");
-            c(i, k) = uq::coordinate(in.marginal, x(i, k));
+            c(i, k) = uq::coordinate(in.family, in.marginal, x(i, k));
         }
     }
     return c;
@@ -207,8 +221,9 @@ SurrogateAnswers predict(const LearnedSurrogate& s, const LearnedLevel& level,
     } else {
         const uq::ProcessPrediction p = uq::predict(*level.process, c);
         a.mean = p.mean;
-        a.sd =
-            (level.inflation * (p.variance.array() + level.process->parameters.noise)).sqrt();
+        a.sd = (level.inflation *
+                (p.variance + uq::noise_at(level.process->parameters, c)).array())
+                   .sqrt();
     }
     a.mean /= s.scale;
     a.sd /= s.scale;

@@ -19,6 +19,7 @@ struct LearnedInput {
     std::string key, unit;   ///< unit in which people read it
     double scale = 1.0;      ///< shown value / value in SI
     uq::Marginal marginal{}; ///< in SI
+    uq::PolynomialFamily family = uq::PolynomialFamily::hermite; ///< of its coordinate
 };
 
 /// Failure modes of one stress.

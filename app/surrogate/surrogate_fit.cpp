@@ -27,6 +27,20 @@ SurrogateError error_of(const Eigen::VectorXd& residual, const Eigen::VectorXd& 
     return {1.0 - square / (y.array() - y.mean()).square().mean(), std::sqrt(square)};
 }
 
+/// Takes the process whose noise varies where that tells walls left out clearly better.
+void let_noise_vary(LevelSurrogate& s)
+{
+    try {
+        uq::GaussianProcess p =
+            uq::fit_process({s.points.coordinates, s.points.y},
+                            {.kernel = s.process->kernel, .noise_varies = true});
+        if (!uq::noise_clearly_varies(p, *s.process)) return;
+        s.process_error = error_of(uq::leave_one_out(p).residual, s.points.y);
+        s.process = std::move(p);
+    } catch (const std::invalid_argument&) { // no factor: the noise is the same everywhere
+    }
+}
+
 /// The kernel with the smaller error on walls left out.
 void fit_processes(LevelSurrogate& s)
 {
@@ -41,6 +55,7 @@ void fit_processes(LevelSurrogate& s)
             s.process_error = error;
         } catch (const std::invalid_argument&) { // no factor: the other kernel, or chaos alone
         }
+    if (s.process) let_noise_vary(s);
 }
 
 void fit_both(LevelSurrogate& s, const std::vector<uq::PolynomialFamily>& families)

@@ -3,6 +3,8 @@
 #include "app/text/check_sum.hpp"
 #include "app/text/json_text.hpp"
 
+#include <algorithm>
+
 namespace app {
 namespace {
 
@@ -65,16 +67,19 @@ Json process_json(const LevelSurrogate& l)
 {
     if (!l.process) return {};
     const uq::GaussianProcess& p = *l.process;
-    return {{"error", error_json(l.process_error)},
-            {"kernel", std::string(uq::name(p.kernel))},
-            {"variance", p.parameters.variance},
-            {"lengths", exact_list(p.parameters.lengths)},
-            {"noise", p.parameters.noise},
-            {"constant", p.trend_weights(0)},
-            {"weights", exact_list(p.weights)},
-            {"points", exact_rows(p.data.x)},
-            {"responses", exact_list(p.data.y)},
-            {"inflation", uq::inflation_of(uq::leave_one_out(p))}};
+    Json j = {{"error", error_json(l.process_error)},
+              {"kernel", std::string(uq::name(p.kernel))},
+              {"variance", p.parameters.variance},
+              {"lengths", exact_list(p.parameters.lengths)},
+              {"noise", p.parameters.noise},
+              {"constant", p.trend_weights(0)},
+              {"weights", exact_list(p.weights)},
+              {"points", exact_rows(p.data.x)},
+              {"responses", exact_list(p.data.y)},
+              {"inflation", uq::inflation_of(uq::leave_one_out(p))}};
+    if (p.parameters.noise_slopes.size() > 0)
+        j["noise_slopes"] = exact_list(p.parameters.noise_slopes);
+    return j;
 }
 
 Json estimate_json(const std::optional<uq::Estimate>& e)
@@ -143,7 +148,14 @@ Json level_json(const SurrogateStudy& s, const LevelSurrogate& l)
 
 Json surrogate_data(const SurrogateStudy& s)
 {
-    Json j = {{"format", kSurrogateFormat},
+    const bool linear = std::ranges::any_of(s.inputs, [&](std::size_t k) {
+        const auto kind = uq::family_of(*s.walls->inputs[k].marginal).kind;
+        return kind == uq::PolynomialFamily::jacobi || kind == uq::PolynomialFamily::laguerre;
+    });
+    const bool varies = std::ranges::any_of(s.levels, [](const LevelSurrogate& l) {
+        return l.process && l.process->parameters.noise_slopes.size() > 0;
+    });
+    Json j = {{"format", linear || varies ? kNewerSurrogateFormat : kSurrogateFormat},
               {"study", s.walls->name},
               {"study_sum", check_sum(s.walls->head.configuration)},
               {"response", std::string(s.response->name)},

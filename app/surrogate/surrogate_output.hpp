@@ -13,6 +13,8 @@
 namespace app {
 
 constexpr const char* kSurrogateFormat = "drystone surrogate 1";
+/// With coordinates (jacobi, laguerre) or noise (noise_slopes) that version 0.3 would misread.
+constexpr const char* kNewerSurrogateFormat = "drystone surrogate 2";
 
 /// The surrogates of one response of a study. All files of the verb are made of it.
 struct SurrogateStudy {

@@ -1,6 +1,6 @@
 #include "uq/fields/field.hpp"
 
-#include "uq/fields/field_product.hpp"
+#include "core/row_products.hpp"
 
 #include <stdexcept>
 #include <string>
@@ -22,7 +22,7 @@ void check_coordinates(const Eigen::MatrixXd& z, Eigen::Index needed)
 Eigen::MatrixXd realise(const FieldBasis& basis, const Eigen::MatrixXd& z)
 {
     check_coordinates(z, basis.map.cols());
-    return times_transposed(z, basis.map);
+    return core::times_transposed(z, basis.map);
 }
 
 } // namespace uq

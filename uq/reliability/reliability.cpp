@@ -3,6 +3,7 @@
 #include "core/normal.hpp"
 #include "uq/designs/sobol.hpp"
 #include "uq/reliability/active/active_learning.hpp"
+#include "uq/reliability/active/active_quantile.hpp"
 #include "uq/reliability/design_methods.hpp"
 #include "uq/reliability/limit_state/evaluate.hpp"
 #include "uq/reliability/method_answers.hpp"
@@ -12,6 +13,7 @@
 #include "uq/sensitivity/sobol_indices.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <stdexcept>
@@ -95,6 +97,41 @@ void learning(const ReliabilityProblem& p, ReliabilityAnswer& a)
     MethodAnswer alone;
     alone.method = "its process alone";
     alone.probability = r.surrogate;
+    alone.outcome = "for comparison: after " + std::to_string(r.learned) +
+                    " evaluations to learn from, " + std::to_string(r.surprises) + " of " +
+                    std::to_string(r.checks) + " checks contradicted the process";
+    a.methods.push_back(alone);
+}
+
+void learning_quantile(const ReliabilityProblem& p, ReliabilityAnswer& a)
+{
+    ActiveQuantileOptions o;
+    o.probability = p.quantile;
+    o.known_below = p.known_below;
+    o.active.max_evaluations = static_cast<std::size_t>(p.budget);
+    o.active.target_cov = p.target_cov;
+    o.active.seed = p.seed;
+    const ActiveQuantileResult r = active_quantile(p.event, o);
+    take(r.ledger, a);
+    const auto known = [](double x) {
+        return std::isfinite(x) ? std::optional(x) : std::nullopt;
+    };
+    MethodAnswer m;
+    m.method = "active learning";
+    m.quantile = known(r.value);
+    m.lower = known(r.interval.lower);
+    m.upper = known(r.interval.upper);
+    m.outcome = !r.trouble.empty() ? "there is no process of the response: " + r.trouble
+                : r.outcome == SamplingOutcome::target_reached
+                    ? "its probability is known to the target coefficient of variation"
+                : m.quantile ? "the budget was used up before the target was reached"
+                : m.lower    ? "it lies beyond what is known: a lower bound"
+                             : "there is no answer";
+    a.methods.push_back(m);
+    if (!r.trouble.empty()) return;
+    MethodAnswer alone;
+    alone.method = "its process alone";
+    alone.quantile = known(r.surrogate);
     alone.outcome = "for comparison: after " + std::to_string(r.learned) +
                     " evaluations to learn from, " + std::to_string(r.surprises) + " of " +
                     std::to_string(r.checks) + " checks contradicted the process";
@@ -223,6 +260,8 @@ void check_problem(const ReliabilityProblem& p)
     if (const std::string why = budget_too_small(p.method, p.budget, p.event.dimension);
         !why.empty())
         refuse("the budget " + why);
+    if (p.quantile != 0.0 && p.method != ReliabilityMethod::active)
+        refuse("a quantile needs the method active");
     if (p.method == ReliabilityMethod::multi_fidelity && p.cheap.empty())
         refuse("multi_fidelity needs a cheap model");
 }
@@ -308,7 +347,7 @@ ReliabilityAnswer reliability(const ReliabilityProblem& problem, const OnBatch& 
         variance_shares(p, a);
         break;
     case ReliabilityMethod::active:
-        learning(p, a);
+        p.quantile > 0.0 ? learning_quantile(p, a) : learning(p, a);
         break;
     }
     tell_failures(a);

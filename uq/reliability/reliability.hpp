@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -26,6 +27,11 @@ struct ReliabilityProblem {
     int budget = 1000;       ///< evaluations at most, >= 1 and as budget_too_small() says
     double target_cov = 0.1; ///< of the probability [-], > 0; not used by form, multi_fidelity
     std::uint64_t seed = 1;
+    /// Probability of the quantile that is sought in place of that of the event, (0, 1/2], by
+    /// active alone; 0: none. The threshold of the event plays no part then.
+    double quantile = 0.0;
+    /// Responses from here on are censored: known to be that large or larger.
+    double known_below = std::numeric_limits<double>::infinity();
     bool rough = false; ///< answers scatter by some tenths of a percent, as those of walls do
 };
 
@@ -33,7 +39,8 @@ struct ReliabilityProblem {
 struct MethodAnswer {
     std::string method;                ///< "FORM", "SORM, Breitung", "subset simulation"
     std::optional<double> probability; ///< none: no answer
-    std::optional<double> std_error;
+    std::optional<double> quantile;  ///< of the response, where that is sought; none: no answer
+    std::optional<double> std_error; ///< of either
     std::optional<double> lower, upper; ///< 95 % interval, failed evaluations either way
     std::string outcome;                ///< in words: "target reached", why there is no answer
 };

@@ -1,5 +1,7 @@
 #include "uq/surrogates/gaussian_process.hpp"
 
+#include "core/row_products.hpp"
+
 #include <Eigen/Cholesky>
 
 #include <algorithm>
@@ -26,6 +28,10 @@ void check_process(const ProcessData& d, ProcessTrend trend, const ProcessParame
     refuse(!(p.variance > 0.0 && std::isfinite(p.variance)), "process: variance must be > 0");
     refuse(!(p.noise >= 0.0 && std::isfinite(p.noise)), "process: noise must be >= 0");
     refuse(p.lengths.size() != d.x.cols(), "process: one length for each input");
+    refuse(p.noise_slopes.size() != 0 && p.noise_slopes.size() != d.x.cols(),
+           "process: one slope of the noise for each input, or none");
+    refuse(p.noise_slopes.size() != 0 && !p.noise_slopes.allFinite(),
+           "process: slopes of the noise must be finite");
     refuse(p.lengths.size() > 0 && !(p.lengths.allFinite() && p.lengths.minCoeff() > 0.0),
            "process: lengths must be > 0");
     refuse(n < trend_rows(trend, d.x.topRows(1)).cols(),
@@ -64,17 +70,24 @@ Eigen::MatrixXd trend_rows(ProcessTrend trend, const Eigen::MatrixXd& x)
     return f;
 }
 
+Eigen::VectorXd noise_at(const ProcessParameters& p, const Eigen::MatrixXd& x)
+{
+    if (p.noise_slopes.size() == 0) return Eigen::VectorXd::Constant(x.rows(), p.noise);
+    return p.noise * (x * p.noise_slopes).array().exp();
+}
+
 Eigen::MatrixXd process_covariance(const ProcessData& data, ProcessKernel kernel,
                                    const ProcessParameters& p)
 {
     const Eigen::MatrixXd scaled = over_lengths(data.x, p.lengths);
     const Eigen::Index n = scaled.rows();
+    const Eigen::VectorXd noise = noise_at(p, data.x);
     Eigen::MatrixXd k(n, n);
     for (Eigen::Index j = 0; j < n; ++j) {
         const Eigen::VectorXd r2 = scaled_distances(scaled, scaled.row(j));
         for (Eigen::Index i = j; i < n; ++i)
             k(i, j) = k(j, i) = p.variance * process_correlation(kernel, r2(i));
-        k(j, j) += p.noise + (data.noise.size() ? data.noise(j) : 0.0);
+        k(j, j) += noise(j) + (data.noise.size() ? data.noise(j) : 0.0);
     }
     return k;
 }
@@ -84,7 +97,7 @@ GaussianProcess condition(ProcessData data, ProcessKernel kernel, ProcessTrend t
 {
     check_process(data, trend, parameters);
     GaussianProcess p{
-        std::move(data), kernel, trend, std::move(parameters), {}, {}, {}, {}, {}, {}, 0.0};
+        std::move(data), kernel, trend, std::move(parameters), {}, {}, {}, {}, {}, {}, {}, 0.0};
     p.scaled = over_lengths(p.data.x, p.parameters.lengths);
     const Eigen::LLT<Eigen::MatrixXd> k(process_covariance(p.data, kernel, p.parameters));
     p.factor = k.matrixL();
@@ -94,6 +107,7 @@ GaussianProcess condition(ProcessData data, ProcessKernel kernel, ProcessTrend t
         throw std::invalid_argument(
             "process: points are too close to be told apart without noise");
     const auto lower = p.factor.triangularView<Eigen::Lower>();
+    p.inverse = lower.solve(Eigen::MatrixXd::Identity(p.factor.rows(), p.factor.cols()));
     const Eigen::MatrixXd f = trend_rows(trend, p.data.x);
     p.white_trend = f;
     if (f.cols() > 0) lower.solveInPlace(p.white_trend); // Eigen reads where nothing is
@@ -126,6 +140,28 @@ double mean_at(const GaussianProcess& p, const Eigen::RowVectorXd& point,
     return mean + trend_rows(p.trend, point).row(0).dot(p.trend_weights);
 }
 
+constexpr Eigen::Index kBlock = 128; ///< points whose covariances stay in the cache
+
+/// Variances at points. Each is a sum in the order of the data, whatever points are beside it.
+/// @param x points @param k their covariances with the data, a row for each
+Eigen::VectorXd variances(const GaussianProcess& p, const Eigen::MatrixXd& x,
+                          const Eigen::MatrixXd& k)
+{
+    const Eigen::MatrixXd white = core::times_transposed(k, p.inverse);
+    Eigen::VectorXd variance = Eigen::VectorXd::Constant(x.rows(), p.parameters.variance);
+    for (Eigen::Index j = 0; j < white.cols(); ++j)
+        variance.array() -= white.col(j).array().square();
+    if (p.trend_weights.size() > 0) {
+        const Eigen::MatrixXd left =
+            (trend_rows(p.trend, x) - core::times_transposed(white, p.white_trend.transpose()))
+                .transpose();
+        for (Eigen::Index i = 0; i < x.rows(); ++i)
+            variance(i) +=
+                p.trend_factor.triangularView<Eigen::Lower>().solve(left.col(i)).squaredNorm();
+    }
+    return variance.cwiseMax(0.0);
+}
+
 } // namespace
 
 Eigen::VectorXd predict_mean(const GaussianProcess& p, const Eigen::MatrixXd& x)
@@ -143,18 +179,15 @@ ProcessPrediction predict(const GaussianProcess& p, const Eigen::MatrixXd& x)
     check_columns(p, x);
     ProcessPrediction all{Eigen::VectorXd(x.rows()), Eigen::VectorXd(x.rows())};
     const Eigen::MatrixXd scaled = over_lengths(x, p.parameters.lengths);
-    const auto lower = p.factor.triangularView<Eigen::Lower>();
-    for (Eigen::Index i = 0; i < x.rows(); ++i) {
-        const Eigen::VectorXd k = covariances(p, scaled.row(i));
-        all.mean(i) = mean_at(p, x.row(i), k);
-        const Eigen::VectorXd white = lower.solve(k);
-        double variance = p.parameters.variance - white.squaredNorm();
-        if (p.trend_weights.size() > 0) {
-            const Eigen::VectorXd left =
-                trend_rows(p.trend, x.row(i)).transpose() - p.white_trend.transpose() * white;
-            variance += p.trend_factor.triangularView<Eigen::Lower>().solve(left).squaredNorm();
+    for (Eigen::Index from = 0; from < x.rows(); from += kBlock) {
+        const Eigen::Index rows = std::min(kBlock, x.rows() - from);
+        Eigen::MatrixXd k(rows, p.data.y.size());
+        for (Eigen::Index i = 0; i < rows; ++i) {
+            const Eigen::VectorXd one = covariances(p, scaled.row(from + i));
+            all.mean(from + i) = mean_at(p, x.row(from + i), one);
+            k.row(i) = one.transpose();
         }
-        all.variance(i) = std::max(0.0, variance);
+        all.variance.segment(from, rows) = variances(p, x.middleRows(from, rows), k);
     }
     return all;
 }
@@ -184,10 +217,7 @@ Eigen::MatrixXd predict_covariance(const GaussianProcess& p, const Eigen::Matrix
 
 ProcessLeaveOneOut leave_one_out(const GaussianProcess& p)
 {
-    const Eigen::Index n = p.data.y.size();
-    const auto lower = p.factor.triangularView<Eigen::Lower>();
-    const Eigen::MatrixXd inverse = lower.solve(Eigen::MatrixXd::Identity(n, n));
-    Eigen::VectorXd q = inverse.colwise().squaredNorm();
+    Eigen::VectorXd q = p.inverse.colwise().squaredNorm();
     if (p.trend_weights.size() > 0) {
         const Eigen::MatrixXd f =
             p.factor.transpose().triangularView<Eigen::Upper>().solve(p.white_trend); // K^-1 F
@@ -198,6 +228,12 @@ ProcessLeaveOneOut leave_one_out(const GaussianProcess& p)
                  .transpose();
     }
     return {p.weights.cwiseQuotient(q), q.cwiseInverse()};
+}
+
+Eigen::VectorXd log_scores(const ProcessLeaveOneOut& out)
+{
+    return -0.5 * ((2.0 * std::numbers::pi * out.variance.array()).log() +
+                   out.residual.array().square() / out.variance.array());
 }
 
 double inflation_of(const ProcessLeaveOneOut& out)

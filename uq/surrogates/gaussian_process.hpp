@@ -1,8 +1,8 @@
 #pragma once
 /// A Gaussian process conditioned on what a response was at some points (kriging).
 ///
-///   y_i = f(x_i)' b + Z(x_i) + e_i,   Cov(Z(x), Z(x')) = variance * correlation,   e_i ~ N(0,
-///   noise + noise_i)
+///   y_i = f(x_i)' b + Z(x_i) + e_i,   Cov(Z(x), Z(x')) = variance * correlation,
+///   e_i ~ N(0, noise exp(slopes' x_i) + noise_i)
 ///
 /// The trend b is by generalised least squares, and its doubt is part of the variance of a
 /// prediction (Rasmussen and Williams 2006, eq. 2.41 and 2.42, with a flat prior on b).
@@ -19,7 +19,14 @@ struct ProcessParameters {
     double variance;         ///< of Z, square of the unit of the response, > 0
     Eigen::VectorXd lengths; ///< one for each input, in its unit, > 0
     double noise;            ///< variance of the noise of every point, >= 0
+    /// One for each input, where noise is not the same everywhere: its variance is
+    /// noise exp(slopes' x). Empty: none.
+    Eigen::VectorXd noise_slopes{};
 };
+
+/// Variances of the noise at points, without that of a point alone.
+[[nodiscard]] Eigen::VectorXd noise_at(const ProcessParameters& parameters,
+                                       const Eigen::MatrixXd& x);
 
 /// Points and what was seen there.
 struct ProcessData {
@@ -37,6 +44,7 @@ struct GaussianProcess {
     Eigen::VectorXd weights;       ///< K^-1 (y - F b)
     Eigen::MatrixXd scaled;        ///< x over lengths
     Eigen::MatrixXd factor;        ///< L, lower, L L' = K
+    Eigen::MatrixXd inverse;       ///< L^-1, lower
     Eigen::MatrixXd white_trend;   ///< L^-1 F
     Eigen::MatrixXd trend_factor;  ///< lower factor of F' K^-1 F
     double log_likelihood;         ///< of y, b at its estimate
@@ -83,6 +91,10 @@ struct ProcessLeaveOneOut {
 /// y)_i / Q_ii and variance_i = 1 / Q_ii with Q = K^-1 - K^-1 F (F' K^-1 F)^-1 F' K^-1.
 /// Parameters are kept, the trend is not.
 [[nodiscard]] ProcessLeaveOneOut leave_one_out(const GaussianProcess& process);
+
+/// Logarithms of the densities that the others give to each y_i: the score by which processes
+/// with other noise are compared (Gneiting and Raftery 2007).
+[[nodiscard]] Eigen::VectorXd log_scores(const ProcessLeaveOneOut& left_out);
 
 /// Mean square of what is missed on points left out over what is promised, at least 1: by this
 /// the variance of a prediction is too small.

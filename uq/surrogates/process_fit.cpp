@@ -21,15 +21,16 @@ constexpr std::size_t kFollowed = 2;
 constexpr double kLeastNoise = 1e-8, kMostNoise = 2.0; // [variances of the response]
 constexpr double kShortest = 0.05, kLongest = 100.0;   // [standard deviations of an input]
 constexpr double kLeastVariance = 1e-4, kMostVariance = 1e6; // [variances of the response]
+constexpr double kSteepest = 2.0;   ///< of the noise, over a standard deviation of an input
 constexpr double kHopeless = 1e100; // minus the log likelihood where K has no factor
 
 /// Data with every column of mean 0 and mean square 1.
 struct ScaledFit {
     ProcessData data;
     ProcessFitOptions options;
-    Eigen::RowVectorXd x_scale;
+    Eigen::RowVectorXd x_middle, x_scale;
     double y_scale;
-    bool noise_estimated;
+    bool noise_estimated, noise_varies;
 };
 
 double deviation(const Eigen::VectorXd& v)
@@ -39,14 +40,20 @@ double deviation(const Eigen::VectorXd& v)
 
 ScaledFit scaled_fit(const ProcessData& data, const ProcessFitOptions& options)
 {
-    ScaledFit s{data, options, Eigen::RowVectorXd::Ones(data.x.cols()), deviation(data.y),
-                !options.noise.has_value()};
+    const bool estimated = !options.noise.has_value();
+    ScaledFit s{data,
+                options,
+                data.x.colwise().mean(),
+                Eigen::RowVectorXd::Ones(data.x.cols()),
+                deviation(data.y),
+                estimated,
+                estimated && options.noise_varies};
     if (!(s.y_scale > 0.0) || !std::isfinite(s.y_scale))
         throw std::invalid_argument("process: the response does not vary");
     for (Eigen::Index k = 0; k < data.x.cols(); ++k) {
         const double scale = deviation(data.x.col(k));
         if (scale > 0.0) s.x_scale(k) = scale;
-        s.data.x.col(k) = (data.x.col(k).array() - data.x.col(k).mean()) / s.x_scale(k);
+        s.data.x.col(k) = (data.x.col(k).array() - s.x_middle(k)) / s.x_scale(k);
     }
     s.data.y = (data.y.array() - (options.trend == ProcessTrend::none ? 0.0 : data.y.mean())) /
                s.y_scale;
@@ -54,7 +61,7 @@ ScaledFit scaled_fit(const ProcessData& data, const ProcessFitOptions& options)
     return s;
 }
 
-/// Logarithms of lengths, variance and, where it is estimated, noise.
+/// Logarithms of lengths, variance and, where it is estimated, noise; then its slopes.
 ProcessParameters parameters_of(const ScaledFit& s, const std::vector<double>& t)
 {
     const auto d = s.data.x.cols();
@@ -62,20 +69,20 @@ ProcessParameters parameters_of(const ScaledFit& s, const std::vector<double>& t
                         s.noise_estimated ? std::exp(t[d + 1])
                                           : *s.options.noise / (s.y_scale * s.y_scale)};
     for (Eigen::Index k = 0; k < d; ++k) p.lengths(k) = std::exp(t[k]);
+    if (s.noise_varies) p.noise_slopes = Eigen::Map<const Eigen::VectorXd>(&t[d + 2], d);
     return p;
 }
 
 /// d (log likelihood) / d t = 1/2 sum_ij (w w' - Q)_ij dK_ij / dt with w = K^-1 (y - F b), Q =
 /// K^-1.
-void add_gradient(const GaussianProcess& p, bool noise_estimated, std::vector<double>& gradient)
+void add_gradient(const GaussianProcess& p, const ScaledFit& s, std::vector<double>& gradient)
 {
     const Eigen::Index n = p.data.y.size(), d = p.data.x.cols();
-    const Eigen::MatrixXd inverse_factor =
-        p.factor.triangularView<Eigen::Lower>().solve(Eigen::MatrixXd::Identity(n, n));
     Eigen::MatrixXd m = Eigen::MatrixXd::Zero(n, n);
-    m.selfadjointView<Eigen::Lower>().rankUpdate(inverse_factor.transpose(), -1.0);
+    m.selfadjointView<Eigen::Lower>().rankUpdate(p.inverse.transpose(), -1.0);
     m.selfadjointView<Eigen::Lower>().rankUpdate(p.weights);
-    const double trace = m.trace();
+    const Eigen::VectorXd by_noise =
+        0.5 * m.diagonal().array() * noise_at(p.parameters, p.data.x).array();
     double by_variance = 0.0;
     Eigen::VectorXd by_length = Eigen::VectorXd::Zero(d);
     for (Eigen::Index j = 0; j < n; ++j) {
@@ -98,7 +105,9 @@ void add_gradient(const GaussianProcess& p, bool noise_estimated, std::vector<do
     }
     for (Eigen::Index k = 0; k < d; ++k) gradient[k] = -by_length(k);
     gradient[d] = -by_variance;
-    if (noise_estimated) gradient[d + 1] = -0.5 * trace * p.parameters.noise;
+    if (s.noise_estimated) gradient[d + 1] = -by_noise.sum();
+    if (!s.noise_varies) return;
+    for (Eigen::Index k = 0; k < d; ++k) gradient[d + 2 + k] = -by_noise.dot(p.data.x.col(k));
 }
 
 double minus_likelihood(const std::vector<double>& t, std::vector<double>& gradient, void* data)
@@ -108,7 +117,7 @@ double minus_likelihood(const std::vector<double>& t, std::vector<double>& gradi
     try {
         const GaussianProcess p =
             condition(s.data, s.options.kernel, s.options.trend, parameters_of(s, t));
-        if (!gradient.empty()) add_gradient(p, s.noise_estimated, gradient);
+        if (!gradient.empty()) add_gradient(p, s, gradient);
         return -p.log_likelihood;
     } catch (const std::invalid_argument&) { // K has no factor here
         return kHopeless;
@@ -130,6 +139,7 @@ std::vector<ProcessStart> process_starts(ScaledFit& s)
             std::vector<double> t(static_cast<std::size_t>(s.data.x.cols()), std::log(length));
             t.push_back(0.0);
             if (s.noise_estimated) t.push_back(std::log(noise));
+            if (s.noise_varies) t.resize(t.size() + static_cast<std::size_t>(s.data.x.cols()));
             starts.push_back({t, minus_likelihood(t, none, &s)});
         }
     }
@@ -149,6 +159,10 @@ void follow(ScaledFit& s, ProcessStart& start)
     if (s.noise_estimated) {
         lower[d + 1] = std::log(kLeastNoise);
         upper[d + 1] = std::log(kMostNoise);
+    }
+    for (std::size_t k = d + 2; k < start.t.size(); ++k) {
+        lower[k] = -kSteepest;
+        upper[k] = kSteepest;
     }
     search.set_lower_bounds(lower);
     search.set_upper_bounds(upper);
@@ -181,7 +195,31 @@ GaussianProcess fit_process(const ProcessData& data, const ProcessFitOptions& op
     p.lengths = p.lengths.cwiseProduct(s.x_scale.transpose()).eval();
     p.variance *= s.y_scale * s.y_scale;
     p.noise *= s.y_scale * s.y_scale;
+    if (s.noise_varies) {
+        p.noise_slopes = p.noise_slopes.cwiseQuotient(s.x_scale.transpose()).eval();
+        p.noise *= std::exp(-s.x_middle.dot(p.noise_slopes));
+    }
     return condition(data, options.kernel, options.trend, p);
+}
+
+namespace {
+
+/// A chi-squared variable is larger once in a hundred times (Wilson and Hilferty 1931).
+double chi_squared(Eigen::Index freedom)
+{
+    constexpr double kNormal = 2.3263478740408408;
+    const auto d = static_cast<double>(freedom);
+    return d * std::pow(1.0 - 2.0 / (9.0 * d) + kNormal * std::sqrt(2.0 / (9.0 * d)), 3);
+}
+
+} // namespace
+
+bool noise_clearly_varies(const GaussianProcess& varies, const GaussianProcess& same)
+{
+    const double left_out =
+        log_scores(leave_one_out(varies)).sum() - log_scores(leave_one_out(same)).sum();
+    const double likelihood = varies.log_likelihood - same.log_likelihood;
+    return left_out > 0.0 && likelihood > 0.5 * chi_squared(same.data.x.cols());
 }
 
 } // namespace uq

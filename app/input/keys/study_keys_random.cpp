@@ -99,6 +99,10 @@ constexpr Condition kWithStop{
 constexpr Condition kMultiFidelity{
     [](const Study& s) { return s.reliability.method == ReliabilityMethod::multi_fidelity; },
     "reliability.method is not multi_fidelity"};
+constexpr Condition kActive{
+    [](const Study& s) { return s.reliability.method == ReliabilityMethod::active; },
+    "only active learning finds a quantile; write reliability.method = active, or remove it",
+    true};
 constexpr Condition kSampled{
     [](const Study& s) {
         const ReliabilityMethod m = s.reliability.method;
@@ -193,9 +197,13 @@ constexpr std::array kRandomKeys = {
         .meaning = "response whose fall to the demand or below is the event; ultimate: at fragility.ultimate_share",
         .field = kAt<&Study::reliability, &ReliabilityInput::response>},
     Key{.name = "reliability.demand", .kind = Kind::text,
-        .derived = {"must be given for reliability"},
+        .derived = {"must be given for reliability, or a quantile"},
         .meaning = "demand, such as 40 kN, 15 mm, or 1.2 for a drift of 1.2 %",
         .field = kAt<&Study::reliability, &ReliabilityInput::demand>},
+    Key{.name = "reliability.quantile", .range = {'(', 0, 0.5, ']'}, .names = kNone,
+        .used = kActive,
+        .meaning = "in place of a demand: the response that a wall falls to or below with this probability, such as 0.05, is sought",
+        .field = kAt<&Study::reliability, &ReliabilityInput::quantile>},
     Key{.name = "reliability.budget", .kind = Kind::count, .range = {'[', 10, 1e8, ']'},
         .meaning = "largest number of walls; multi_fidelity: largest total cost, in walls",
         .field = kAt<&Study::reliability, &ReliabilityInput::budget>},

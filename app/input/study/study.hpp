@@ -161,6 +161,7 @@ struct ReliabilityInput {
     ReliabilityMethod method = ReliabilityMethod::monte_carlo;
     int response = 0;         ///< row of kWallNumbers (app/reading/wall_numbers.hpp)
     std::string demand;       ///< "40 kN", "15 mm", or a drift in percent: "1.2"
+    double quantile = 0.0;    ///< asked for in place of a demand [-]; 0: none
     int budget = 1000;        ///< evaluations at most, >= 10
     double target_cov = 0.10; ///< stop once the probability is known as well [-]
     dem::Fidelity cheap = dem::Fidelity::rigid; ///< of the cheap model

@@ -272,6 +272,29 @@ TEST_CASE("reliability: what a wall cannot answer is refused", "[app][reliabilit
               .find("fidelity of the study itself") != std::string::npos);
     CHECK(complaint("demand = 30 kN\n", "spatial = stratified\n").find("no coordinates") !=
           std::string::npos);
+    CHECK(complaint("quantile = 0.05\n").find("reliability.quantile: only active learning") !=
+          std::string::npos);
+    CHECK(
+        complaint("method = active\nquantile = 0.05\ndemand = 30 kN\n")
+            .find("reliability.demand: a demand and reliability.quantile are two questions") !=
+        std::string::npos);
+    CHECK(complaint("method = active\nquantile = 0.6\n").find("reliability.quantile: ") !=
+          std::string::npos);
+}
+
+TEST_CASE(
+    "reliability: a quantile has no demand, and answers at the end of the push are censored",
+    "[app][reliability]")
+{
+    const uq::ReliabilityProblem drift =
+        problem_at(reliability("method = active\nquantile = 0.05\nresponse = ultimate_drift\n"),
+                   "0.50 MPa");
+    CHECK(drift.quantile == 0.05);
+    CHECK(drift.words == "ultimate drift under 0.50 MPa");
+    CHECK(drift.known_below == Approx(0.004 / 0.5)); // 4 mm at the load line, 0.5 m high
+    const uq::ReliabilityProblem force =
+        problem_at(reliability("method = active\nquantile = 0.05\n"), "0.50 MPa");
+    CHECK(std::isinf(force.known_below));
 }
 
 namespace {

@@ -6,6 +6,7 @@
 #include "app/surrogate/surrogate_fit.hpp"
 #include "app/surrogate/surrogate_output.hpp"
 #include "app/text/config_error.hpp"
+#include "app/text/text_file.hpp"
 #include "scenes/temporary_folder.hpp"
 #include "tests/uq/latin_scene.hpp"
 #include "uq/designs/stream.hpp"
@@ -38,11 +39,11 @@ LevelSurrogate fitted(SurrogatePoints p, bool dependent = false)
 }
 
 /// Walls of the small study under one stress, with a smooth peak force.
-StudyWalls smooth_walls(int n)
+StudyWalls smooth_walls(int n, const std::string& text = study_scenes::kSmall)
 {
     StudyWalls walls;
     walls.name = "smooth.h5";
-    walls.study = study_scenes::study("samples = 8");
+    walls.study = study_scenes::study("samples = 8", text);
     walls.height = 1.1;
     for (const RandomInput& r : walls.study.random) {
         const Key& key = *find_key(r.key);
@@ -207,6 +208,52 @@ TEST_CASE("surrogate: the file predicts what the fit does, to the bit, and its o
         CHECK_THROWS_WITH(predict(learned, learned.levels.front(), x.leftCols(1)),
                           Catch::Contains("inputs, and 1 are given"));
     }
+}
+
+TEST_CASE("surrogate: Jacobi's coordinate and noise that grows come back from the file",
+          "[app][surrogate]")
+{
+    std::string text = study_scenes::kSmall;
+    const std::string normal = "normal(mean 31.8 deg, cov 0.20)";
+    text.replace(text.find(normal), normal.size(),
+                 "beta(mean 31.8 deg, cov 0.20, lower 15 deg, upper 50 deg)");
+    const scenes::TemporaryFolder folder;
+    StudyWalls walls = smooth_walls(150, text);
+    uq::Stream scatter(4, 0, uq::Purpose::monte_carlo);
+    for (StudyWall& w : walls.levels.front().walls) // by the angle, whose mean is 0.555
+        w.reading.peak->force +=
+            400.0 * std::exp2(8.0 * (w.inputs[0] / walls.inputs[0].scale - 0.555)) *
+            scatter.normal();
+    SurrogateStudy s = surrogate_study(walls, surrogate_response("peak_force"));
+    LevelSurrogate& level = s.levels.front();
+    REQUIRE(level.process);
+    REQUIRE(level.process->parameters.noise_slopes.size() == 5);
+    CHECK(level.process->parameters.noise_slopes(0) > 0.5);
+    level.chaos_is_better = false;
+    const std::string path = (folder.path / "surrogate.json").string();
+    write_file(path, surrogate_json(s));
+    const LearnedSurrogate learned = read_surrogate(path);
+    CHECK(learned.inputs[0].family.kind == uq::PolynomialFamily::jacobi);
+    Eigen::MatrixXd x = level.points.x;
+    for (std::size_t k = 0; k < s.inputs.size(); ++k)
+        x.col(static_cast<Eigen::Index>(k)) /= walls.inputs[s.inputs[k]].scale;
+    const Eigen::MatrixXd c = surrogate_coordinates(learned, x);
+    const SurrogateAnswers a = predict(learned, learned.levels.front(), x);
+    const Eigen::VectorXd noise = uq::noise_at(level.process->parameters, c);
+    const uq::ProcessPrediction p = uq::predict(*level.process, c);
+    const double inflation = uq::inflation_of(uq::leave_one_out(*level.process));
+    CHECK(noise.maxCoeff() > 4.0 * noise.minCoeff());
+    for (Eigen::Index i = 0; i < x.rows(); ++i)
+        CHECK(a.sd(i) * learned.scale ==
+              Approx(std::sqrt(inflation * (p.variance(i) + noise(i)))).epsilon(1e-12));
+    // a version that knows neither refuses the file; a family of another law is damage
+    std::string bytes = read_small_file(path);
+    CHECK(bytes.find("drystone surrogate 2") != std::string::npos);
+    const std::size_t at = bytes.find("jacobi ");
+    REQUIRE(at != std::string::npos);
+    bytes.insert(at + 7, "1");
+    write_file(path, bytes);
+    CHECK_THROWS_WITH(read_surrogate(path), Catch::Contains("is not of its distribution"));
 }
 
 TEST_CASE("surrogate: modes that follow from the inputs are told, with their doubt",

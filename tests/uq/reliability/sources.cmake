@@ -1,6 +1,7 @@
 set(TEST_UQ_RELIABILITY_SOURCES
     uq/reliability/reliability_problems.cpp
     uq/reliability/test_active_learning.cpp
+    uq/reliability/test_active_quantile.cpp
     uq/reliability/test_control_variate.cpp
     uq/reliability/test_crude_monte_carlo.cpp
     uq/reliability/test_evaluate.cpp

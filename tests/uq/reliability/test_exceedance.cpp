@@ -47,4 +47,7 @@ TEST_CASE("exceedance: the interval of a logarithm is symmetric in ratio and cut
     CHECK(std::log(i.upper / 1e-4) ==
           Approx(1.959963984540054 * std::sqrt(std::log(1.04))).epsilon(1e-12));
     CHECK(log_interval(0.9, 0.3, 0.95).upper == 1.0);
+    const core::Interval few = log_interval(1e-4, 2e-5, 0.95, 4.0); // Student's 2.776
+    CHECK(std::log(few.upper / few.lower) ==
+          Approx(2.0 * 2.7764451051977987 * std::sqrt(std::log(1.04))).epsilon(1e-12));
 }

@@ -123,6 +123,119 @@ TEST_CASE("gaussian process: a linear trend alone is generalised least squares",
     CHECK(predict(p, at.tail(3)).variance(0) == Approx(doubt).epsilon(1e-12));
 }
 
+TEST_CASE("gaussian process: many predictions are those of each point alone, bit by bit",
+          "[uq][gaussian_process]")
+{
+    const auto trend =
+        GENERATE(ProcessTrend::none, ProcessTrend::constant, ProcessTrend::linear);
+    const ProcessParameters parameters{0.7, Eigen::Vector3d(0.4, 0.6, 0.9), 1e-3};
+    const GaussianProcess p =
+        condition(smooth_data(37), ProcessKernel::matern_52, trend, parameters);
+    const Eigen::MatrixXd x = scenes::latin_hypercube(301, 3, 8);
+    const ProcessPrediction all = predict(p, x);
+    const Eigen::VectorXd diagonal = predict_covariance(p, x).diagonal();
+    for (Eigen::Index i = 0; i < x.rows(); ++i) {
+        const ProcessPrediction one = predict(p, x.row(i));
+        CHECK(all.mean(i) == one.mean(0));
+        CHECK(all.variance(i) == one.variance(0));
+        CHECK(all.variance(i) == Approx(diagonal(i)).epsilon(1e-9).margin(1e-12));
+    }
+    CHECK((all.mean - predict_mean(p, x)).norm() == 0.0);
+}
+
+namespace {
+
+/// Noise whose standard deviation doubles across the input.
+struct DoublingNoise {
+    static double sd(double x) { return 0.1 * std::exp2(x); }
+    static double mean(double x) { return std::sin(6.0 * x); }
+};
+
+ProcessData doubling_data(int n, std::uint64_t seed)
+{
+    const Eigen::MatrixXd x = scenes::latin_hypercube(n, 1, seed);
+    Stream scatter(seed, 0, Purpose::monte_carlo);
+    Eigen::VectorXd y(n);
+    for (Eigen::Index i = 0; i < n; ++i)
+        y(i) = DoublingNoise::mean(x(i, 0)) + DoublingNoise::sd(x(i, 0)) * scatter.normal();
+    return {x, y};
+}
+
+/// Share of further responses in the 90 % interval, in the lower and the upper part of the
+/// input: by the law of the noise.
+Eigen::Vector2d held(const GaussianProcess& p)
+{
+    const Eigen::MatrixXd x = Eigen::VectorXd::LinSpaced(200, 0.0025, 0.9975);
+    const ProcessPrediction said = predict(p, x);
+    const Eigen::VectorXd noise = noise_at(p.parameters, x);
+    Eigen::Vector2d share = Eigen::Vector2d::Zero();
+    const auto below = [](double z) { return 0.5 * std::erfc(-z / std::sqrt(2.0)); };
+    for (Eigen::Index i = 0; i < 200; ++i) {
+        const double half = 1.6448536269514722 * std::sqrt(said.variance(i) + noise(i));
+        const double off = said.mean(i) - DoublingNoise::mean(x(i, 0)),
+                     sd = DoublingNoise::sd(x(i, 0));
+        share(i < 100 ? 0 : 1) += 0.01 * (below((off + half) / sd) - below((off - half) / sd));
+    }
+    return share;
+}
+
+} // namespace
+
+TEST_CASE("process fit: noise that grows gives intervals that hold in both halves of the input",
+          "[uq][process_fit][repeats]")
+{
+    Eigen::Vector2d varies = Eigen::Vector2d::Zero(), same = varies;
+    constexpr int kRuns = 20;
+    for (int run = 1; run <= kRuns; ++run) {
+        const ProcessData data = doubling_data(150, static_cast<std::uint64_t>(run));
+        varies += held(fit_process(data, {.noise_varies = true})) / kRuns;
+        same += held(fit_process(data)) / kRuns;
+    }
+    for (Eigen::Index half = 0; half < 2; ++half) {
+        CHECK(varies(half) > 0.86);
+        CHECK(varies(half) < 0.94);
+    }
+    CHECK(same(0) > 0.94);
+    CHECK(same(1) < 0.86);
+}
+
+TEST_CASE("process fit: slopes of the noise stand at the top of the likelihood, in any unit",
+          "[uq][process_fit]")
+{
+    ProcessData data = doubling_data(100, 3);
+    data.x = (1000.0 + 50.0 * data.x.array()).matrix();
+    const GaussianProcess p = fit_process(data, {.noise_varies = true});
+    REQUIRE(p.parameters.noise_slopes.size() == 1);
+    CHECK(p.parameters.noise_slopes(0) > 0.0);
+    for (const double move : {-0.3, 0.3}) {
+        ProcessParameters q = p.parameters;
+        q.noise_slopes(0) += move / 50.0;
+        q.noise *= std::exp(-move / 50.0 * 1025.0); // the same in the middle
+        CHECK(condition(data, p.kernel, p.trend, q).log_likelihood < p.log_likelihood);
+    }
+    const GaussianProcess same = fit_process(data);
+    CHECK(noise_clearly_varies(p, same));
+    const ProcessLeaveOneOut out = leave_one_out(same);
+    CHECK(log_scores(out)(7) ==
+          Approx(-0.5 * std::log(2.0 * M_PI * out.variance(7)) -
+                 0.5 * out.residual(7) * out.residual(7) / out.variance(7))
+              .epsilon(1e-13));
+}
+
+TEST_CASE("process fit: noise that is the same everywhere is left so",
+          "[uq][process_fit][repeats]")
+{
+    int alarms = 0;
+    for (std::uint64_t run = 1; run <= 30; ++run) {
+        ProcessData data = smooth_data(60);
+        Stream scatter(run, 0, Purpose::monte_carlo);
+        for (double& y : data.y) y += 0.1 * scatter.normal();
+        alarms +=
+            noise_clearly_varies(fit_process(data, {.noise_varies = true}), fit_process(data));
+    }
+    CHECK(alarms <= 2);
+}
+
 TEST_CASE("gaussian process: the likelihood has its top at the fitted parameters",
           "[uq][process_fit]")
 {

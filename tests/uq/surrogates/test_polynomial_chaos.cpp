@@ -5,6 +5,7 @@
 #include "uq/surrogates/process_fit.hpp"
 
 #include <catch2/catch.hpp>
+#include <gsl/gsl_integration.h>
 
 #include <cmath>
 #include <stdexcept>
@@ -84,6 +85,106 @@ TEST_CASE("polynomials: coordinates are those of the probabilities", "[uq][polyn
     CHECK(family_of({Lognormal{0.0, 0.5}}) == PolynomialFamily::hermite);
     CHECK(coordinate({Lognormal{1.0, 0.5}}, std::exp(2.0)) == Approx(2.0).epsilon(1e-12));
     CHECK_THROWS_AS(coordinates(kBorehole, Eigen::MatrixXd::Zero(1, 2)), std::invalid_argument);
+}
+
+namespace {
+
+/// Points and weights (which add up to 1) of an exact rule of GSL, whose Jacobi weight has the
+/// other order of exponents in its names but the same meaning: (1 - c)^a (1 + c)^b.
+struct Rule {
+    Eigen::VectorXd at, weight;
+};
+
+Rule exact_rule(const PolynomialFamily& f, std::size_t n)
+{
+    const bool jacobi = f.kind == PolynomialFamily::jacobi;
+    gsl_integration_fixed_workspace* const w = gsl_integration_fixed_alloc(
+        jacobi ? gsl_integration_fixed_jacobi : gsl_integration_fixed_laguerre, n,
+        jacobi ? -1.0 : 0.0, 1.0, f.a, jacobi ? f.b : 0.0);
+    const auto size = static_cast<Eigen::Index>(n);
+    Rule r{Eigen::Map<const Eigen::VectorXd>(gsl_integration_fixed_nodes(w), size),
+           Eigen::Map<const Eigen::VectorXd>(gsl_integration_fixed_weights(w), size)};
+    gsl_integration_fixed_free(w);
+    r.weight /= r.weight.sum();
+    return r;
+}
+
+} // namespace
+
+TEST_CASE("polynomials: those of beta and gamma variables are orthonormal by an exact rule",
+          "[uq][polynomials]")
+{
+    const auto family = GENERATE(PolynomialFamily(PolynomialFamily::jacobi, 1.5, 0.5),
+                                 PolynomialFamily(PolynomialFamily::jacobi, -0.5, -0.5),
+                                 PolynomialFamily(PolynomialFamily::jacobi, 3.0, 0.0),
+                                 PolynomialFamily(PolynomialFamily::laguerre, 0.0),
+                                 PolynomialFamily(PolynomialFamily::laguerre, 2.5));
+    constexpr int kMost = 8;
+    const Rule rule = exact_rule(family, 20);
+    Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(kMost + 1, kMost + 1);
+    for (Eigen::Index i = 0; i < rule.at.size(); ++i) {
+        const Eigen::VectorXd p = polynomials(family, kMost, rule.at(i));
+        gram += rule.weight(i) * p * p.transpose();
+    }
+    CAPTURE(name(family));
+    CHECK((gram - Eigen::MatrixXd::Identity(kMost + 1, kMost + 1)).cwiseAbs().maxCoeff() <
+          1e-12);
+}
+
+TEST_CASE(
+    "polynomials: beta variables have Jacobi's, gamma variables Laguerre's, whole ones only",
+    "[uq][polynomials]")
+{
+    const Marginal beta{Beta{2.0, 4.0, 10.0, 30.0}}, gamma{Gamma{3.0, 0.5}};
+    CHECK(family_of(beta) == PolynomialFamily(PolynomialFamily::jacobi, 3.0, 1.0));
+    CHECK(family_of(gamma) == PolynomialFamily(PolynomialFamily::laguerre, 2.0));
+    CHECK(coordinate(beta, 15.0) == -0.5);
+    CHECK(coordinate(beta, 31.0) == 1.0);
+    CHECK(coordinate(gamma, 2.0) == 4.0);
+    CHECK(family_of({Beta{2.0, 4.0, 10.0, 30.0}, 12.0}) == PolynomialFamily::legendre);
+    CHECK(family_of({Gamma{3.0, 0.5}, 0.1}) == PolynomialFamily::hermite);
+    CHECK(family_of({Beta{2.0, 4.0, 10.0, 30.0}, 0.0, 90.0}).kind == PolynomialFamily::jacobi);
+    CHECK(family_of({Gamma{3.0, 0.5}, 0.0, 1e3}).kind == PolynomialFamily::laguerre);
+    CHECK(family_of({Gamma{3.0, 0.5}, 0.0, 5.0}) == PolynomialFamily::hermite);
+    // the density of the coordinate is that of the family: means of c by its first polynomial
+    for (const Marginal& m : {beta, gamma}) {
+        const PolynomialFamily f = family_of(m);
+        CHECK(polynomials(f, 1, coordinate(m, mean(m)))(1) == Approx(0.0).margin(1e-14));
+        CHECK(polynomials(f, 1, coordinate(m, mean(m) + sd(m)))(1) ==
+              Approx(1.0).epsilon(1e-13));
+        CHECK(family_named(name(f)) == f);
+    }
+    CHECK(name(PolynomialFamily(PolynomialFamily::jacobi, 0.1, 2.0)) == "jacobi 0.1 2");
+    CHECK(family_named("hermite") == PolynomialFamily::hermite);
+    CHECK_THROWS_AS(family_named("jacobi 1"), std::invalid_argument);
+    CHECK_THROWS_AS(family_named("chebyshev"), std::invalid_argument);
+}
+
+TEST_CASE("chaos: indices of a polynomial of beta and gamma variables are those of its moments",
+          "[uq][polynomial_chaos]")
+{
+    // y = x + x z + z^2, x beta, z gamma: conditional means and variances by raw moments
+    const std::vector<Marginal> variables = {{Beta{2.0, 3.0, 0.0, 1.0}}, {Gamma{2.0, 0.5}}};
+    const Eigen::MatrixXd u = scenes::latin_hypercube(40, 2, 5);
+    Eigen::MatrixXd x(40, 2);
+    for (Eigen::Index i = 0; i < 40; ++i)
+        for (Eigen::Index k = 0; k < 2; ++k) x(i, k) = quantile(variables[k], u(i, k));
+    const Eigen::ArrayXd y =
+        x.col(0).array() + x.col(0).array() * x.col(1).array() + x.col(1).array().square();
+    const ChaosFit fit =
+        fit_chaos(families_of(variables), coordinates(variables, x), y.matrix());
+    const double vx = 0.04, mz = 1.0, vz = 0.5, m3 = 3.0, m4 = 7.5; // E z^3, E z^4
+    const double mx = 0.4, mz2 = 1.5;
+    const double by_x = (1.0 + mz) * (1.0 + mz) * vx; // E(y | x) = x (1 + E z) + ...
+    const double by_z = mx * mx * vz + 2.0 * mx * (m3 - mz * mz2) + m4 - mz2 * mz2;
+    const double both = vx * vz, all = by_x + by_z + both;
+    const ChaosIndices s = sobol_indices(fit.chaos);
+    CHECK(mean(fit.chaos) == Approx(mx + mx * mz + mz2).epsilon(1e-10));
+    CHECK(variance(fit.chaos) == Approx(all).epsilon(1e-10));
+    CHECK(s.first(0) == Approx(by_x / all).epsilon(1e-10));
+    CHECK(s.first(1) == Approx(by_z / all).epsilon(1e-10));
+    CHECK(s.total(0) == Approx((by_x + both) / all).epsilon(1e-10));
+    CHECK(s.total(1) == Approx((by_z + both) / all).epsilon(1e-10));
 }
 
 TEST_CASE("chaos: hyperbolic sets", "[uq][polynomial_chaos]")

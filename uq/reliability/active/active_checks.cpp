@@ -11,8 +11,6 @@ namespace {
 
 /// Shares of the checks drawn by doubt, by probability of the event and by the points alone.
 constexpr double kByDoubt = 0.6, kByEvent = 0.3, kByPoints = 0.1;
-constexpr double kUnseen = 0.5; ///< wrong answers about the event that no check has met
-constexpr std::size_t kLeastChecks = 16;
 
 double mean(const std::vector<double>& y)
 {

@@ -8,6 +8,9 @@
 
 namespace uq {
 
+constexpr double kUnseen = 0.5; ///< wrong answers about the event that no check has met
+constexpr std::size_t kLeastChecks = 16; ///< fewer do not tell their own scatter
+
 /// The density of the checks among weighed points, and what a check is worth.
 struct CheckPlan {
     Eigen::VectorXd chance;  ///< of each point, adds up to 1

@@ -3,6 +3,7 @@
 #include "core/normal.hpp"
 #include "uq/designs/sobol.hpp"
 #include "uq/reliability/active/active_checks.hpp"
+#include "uq/reliability/active/active_rounds.hpp"
 #include "uq/reliability/active/doubtful_points.hpp"
 #include "uq/reliability/active/limit_learner.hpp"
 #include "uq/reliability/limit_state/pick.hpp"
@@ -18,8 +19,6 @@ constexpr double kFirstSpread = 1.5;    ///< of the first points, standard devia
 constexpr double kLeastPoints = 4000.0; ///< of the process, in a round
 constexpr double kMostPoints = 100000.0;
 constexpr double kFewChecks = 16.0; ///< needed anyway
-/// Change of ln P from one process to the next above which neither is worth a check; tuned.
-constexpr double kSettled = 0.4;
 
 void check_options(const LimitState& s, const ActiveOptions& o)
 {
@@ -31,33 +30,6 @@ void check_options(const LimitState& s, const ActiveOptions& o)
                 std::to_string(least_active_budget(s.dimension)));
     require(o.target_cov > 0.0, "target_cov must be > 0");
     require(o.confidence > 0.0 && o.confidence < 1.0, "confidence must be in (0, 1)");
-}
-
-Eigen::MatrixXd first_design(Eigen::Index dimension, std::uint64_t seed)
-{
-    Eigen::MatrixXd u = sobol(0, first_points(dimension), static_cast<int>(dimension), seed);
-    core::to_normal_quantiles({u.data(), static_cast<std::size_t>(u.size())});
-    return kFirstSpread * u;
-}
-
-/// Points of the process at which its own error is a third of the target.
-Eigen::Index point_count(double target_cov)
-{
-    return static_cast<Eigen::Index>(
-        std::clamp(36.0 / (target_cov * target_cov), kLeastPoints, kMostPoints));
-}
-
-/// Checks that the target would need, if the process is right.
-double needed_checks(const WeighedPoints& p, const CheckPlan& plan, double target_cov)
-{
-    return plan.variance / std::pow(target_cov * p.probability, 2);
-}
-
-/// Whether learning saves more checks than it costs: they go with the square of the doubt.
-bool learning_pays(double needed, double gain, Eigen::Index batch)
-{
-    const double left = 1.0 - gain;
-    return needed * (1.0 - left * left) > static_cast<double>(batch) && needed > kFewChecks;
 }
 
 /// The process of a round, and where it doubts.
@@ -76,18 +48,42 @@ Eigen::MatrixXd prepare(Round& now, Learner& learner, Checks& checks, double tar
     const GaussianProcess& g = learner.process();
     now.known = learner.known();
     const double before = now.points.probability;
-    now.points = weighed_points(g, point_count(target_cov), seed);
+    now.points = weighed_points(g, active_points(target_cov), seed);
     const double change = std::abs(std::log(now.points.probability / before));
     now.plan = plan_checks(now.points);
     checks.with_points = 0.0;
     if (!may_learn || learner.full()) return {};
     NextPoints next = next_points(g, now.points, batch, seed);
-    const double needed = needed_checks(now.points, now.plan, target_cov);
+    const double needed = needed_checks(now.points.probability, now.plan.variance, target_cov);
     const bool settled = change < kSettled; // NaN is not
     return !settled || learning_pays(needed, next.gain, batch) ? next.u : Eigen::MatrixXd();
 }
 
 } // namespace
+
+Eigen::MatrixXd first_design(Eigen::Index dimension, std::uint64_t seed)
+{
+    Eigen::MatrixXd u = sobol(0, first_points(dimension), static_cast<int>(dimension), seed);
+    core::to_normal_quantiles({u.data(), static_cast<std::size_t>(u.size())});
+    return kFirstSpread * u;
+}
+
+Eigen::Index active_points(double target_cov)
+{
+    return static_cast<Eigen::Index>(
+        std::clamp(36.0 / (target_cov * target_cov), kLeastPoints, kMostPoints));
+}
+
+double needed_checks(double probability, double variance, double target_cov)
+{
+    return variance / std::pow(target_cov * probability, 2);
+}
+
+bool learning_pays(double needed, double gain, Eigen::Index batch)
+{
+    const double left = 1.0 - gain;
+    return needed * (1.0 - left * left) > static_cast<double>(batch) && needed > kFewChecks;
+}
 
 Eigen::Index first_points(Eigen::Index dimension)
 {

@@ -49,24 +49,25 @@ void Learner::learn(const Eigen::MatrixXd& u, const Eigen::VectorXd& g)
     g_.conservativeResize(n);
 }
 
-const GaussianProcess& Learner::process()
+const GaussianProcess& Learner::process(double shift)
 {
     const Eigen::Index n = g_.size();
     if (n < kLeastKnown) throw std::invalid_argument("fewer than three evaluations answered");
+    const Eigen::VectorXd g = g_.array() - shift;
     if (!last_ || (7 * n > 8 * fitted_ && fitted_ < kMostFitted))
-        fit();
+        fit(g);
     else
-        last_ = condition({u_, compressed(g_, scale_), {}}, last_->kernel, last_->trend,
+        last_ = condition({u_, compressed(g, scale_), {}}, last_->kernel, last_->trend,
                           ProcessParameters(last_->parameters));
     return *last_;
 }
 
-void Learner::fit()
+void Learner::fit(const Eigen::VectorXd& g)
 {
-    fitted_ = g_.size();
+    fitted_ = g.size();
     const bool linear = fitted_ >= 2 * (u_.cols() + 1);
     const auto trend = linear ? ProcessTrend::linear : ProcessTrend::constant;
-    Eigen::VectorXd size = g_.cwiseAbs();
+    Eigen::VectorXd size = g.cwiseAbs();
     std::ranges::nth_element(size, size.begin() + size.size() / 2);
     const double middle = size(size.size() / 2);
     last_.reset();
@@ -74,8 +75,8 @@ void Learner::fit()
     for (const double share : kCompressions) {
         const double scale = std::isinf(share) ? share : share * middle;
         if (!(scale > 0.0)) continue;
-        GaussianProcess p = fit_process({u_, compressed(g_, scale), {}}, {.trend = trend});
-        const double now = likelihood(p, g_, scale);
+        GaussianProcess p = fit_process({u_, compressed(g, scale), {}}, {.trend = trend});
+        const double now = likelihood(p, g, scale);
         if (last_ && !(now > most)) continue;
         most = now;
         scale_ = scale;

@@ -16,15 +16,20 @@ class Learner {
     /// Adds evaluations; those that gave no answer (NaN) are left out.
     void learn(const Eigen::MatrixXd& u, const Eigen::VectorXd& g);
 
+    /// The process of g - shift.
     /// @throws std::invalid_argument where nothing can be learned
-    [[nodiscard]] const GaussianProcess& process();
+    [[nodiscard]] const GaussianProcess& process(double shift = 0.0);
 
+    /// The last process sees asinh((g - shift) / scale); infinite: g - shift.
+    [[nodiscard]] double scale() const { return scale_; }
+
+    [[nodiscard]] const Eigen::VectorXd& values() const { return g_; }
     [[nodiscard]] Eigen::Index known() const { return g_.size(); }
     [[nodiscard]] bool full() const;
     [[nodiscard]] bool passed() const { return passed_; } ///< whether g <= 0 was ever seen
 
   private:
-    void fit();
+    void fit(const Eigen::VectorXd& g);
 
     Eigen::MatrixXd u_;
     Eigen::VectorXd g_;

@@ -40,9 +40,10 @@ Exceedance count_exceedance(std::size_t passed, std::size_t failed, std::size_t 
     return e;
 }
 
-core::Interval log_interval(double value, double std_error, double confidence)
+core::Interval log_interval(double value, double std_error, double confidence, double freedom)
 {
-    const double z = core::normal_factor(confidence);
+    const double z = std::isinf(freedom) ? core::normal_factor(confidence)
+                                         : core::student_factor(confidence, freedom);
     const double factor = std::exp(z * std::sqrt(std::log1p(std::pow(std_error / value, 2))));
     return {value / factor, std::min(1.0, value * factor), confidence};
 }

@@ -5,6 +5,8 @@
 #include "uq/estimates/estimate.hpp"
 #include "uq/reliability/limit_state/limit_state.hpp"
 
+#include <limits>
+
 namespace uq {
 
 enum class SamplingOutcome {
@@ -36,6 +38,9 @@ struct Exceedance {
                                           double confidence);
 
 /// Interval of a positive estimate whose logarithm is about normal, cut at 1.
-[[nodiscard]] core::Interval log_interval(double value, double std_error, double confidence);
+/// @param freedom degrees of freedom of the standard error, > 0; infinite: it is known
+[[nodiscard]] core::Interval
+log_interval(double value, double std_error, double confidence,
+             double freedom = std::numeric_limits<double>::infinity());
 
 } // namespace uq

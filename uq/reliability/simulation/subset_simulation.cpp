@@ -44,7 +44,9 @@ struct Run {
     std::vector<SubsetLevel> levels;
     double reached = 1.0;     ///< probability of the last level's population
     double reached_cov = 0.0; ///< of it
+    double reached_freedom = 1.0;
     double value = 0.0, cov = 0.0;
+    double freedom = 1.0;      ///< degrees of freedom of `cov`
     std::size_t passed = 0;    ///< in the last population
     std::size_t samples = 0;   ///< in that population
     std::size_t ancestors = 0; ///< of those that passed
@@ -61,18 +63,30 @@ Rows at_or_below(const Population& p, double threshold)
     return rows;
 }
 
-/// Coefficient of variation of the number of `rows`, as a sum over independent ancestors.
-double lineage_cov(const Population& p, const Rows& rows)
+/// Scatter of the number of rows, as a sum over independent ancestors.
+struct LineageScatter {
+    double cov;     ///< coefficient of variation [-]
+    double freedom; ///< degrees of freedom of that, >= 1
+};
+
+/// The variance is a sum of squares of families f, mostly of few large ones: it scatters like a
+/// chi-squared variable with 2 (sum f^2)^2 / sum f^4 degrees of freedom, which has the same
+/// first two moments (Satterthwaite 1946), less one for the mean.
+LineageScatter lineage_scatter(const Population& p, const Rows& rows)
 {
     const auto n = static_cast<double>(p.g.size());
     std::vector<double> family(p.ancestor.size(), 0.0);
     for (const Eigen::Index i : rows)
         family[static_cast<std::size_t>(p.ancestor[static_cast<std::size_t>(i)])] += 1.0;
-    double square = 0.0;
-    for (const double f : family) square += f * f;
+    double square = 0.0, fourth = 0.0;
+    for (const double f : family) {
+        square += f * f;
+        fourth += f * f * f * f;
+    }
     const double mean = static_cast<double>(rows.size()) / n;
-    if (p.g.size() < 2) return 1.0;
-    return std::sqrt(std::max(0.0, square / n - mean * mean) / (n - 1.0)) / mean;
+    if (p.g.size() < 2) return {1.0, 1.0};
+    return {std::sqrt(std::max(0.0, square / n - mean * mean) / (n - 1.0)) / mean,
+            std::max(1.0, 2.0 * square * square / fourth - 1.0)};
 }
 
 std::size_t ancestors(const Population& p, const Rows& rows)
@@ -107,7 +121,11 @@ void finish(Run& r, const Population& p, double acceptance)
     const double share = static_cast<double>(rows.size()) / static_cast<double>(p.g.size());
     r.passed = rows.size();
     r.value = r.reached * share;
-    r.cov = rows.empty() ? 0.0 : lineage_cov(p, rows);
+    if (!rows.empty()) {
+        const LineageScatter scatter = lineage_scatter(p, rows);
+        r.cov = scatter.cov;
+        r.freedom = scatter.freedom;
+    }
     r.samples = static_cast<std::size_t>(p.g.size());
     r.ancestors = ancestors(p, rows);
     r.levels.push_back({0.0, share, acceptance, r.ancestors});
@@ -118,8 +136,12 @@ void finish(Run& r, const Population& p, double acceptance)
 Run with(const Run& mean, std::size_t n, const Run& more)
 {
     const auto before = static_cast<double>(n), all = before + 1.0;
-    const double error = std::hypot(before * mean.value * mean.cov, more.value * more.cov);
+    const double first = before * mean.value * mean.cov, second = more.value * more.cov;
+    const double error = std::hypot(first, second);
     Run r = mean;
+    if (error > 0.0) // Welch (1947)
+        r.freedom = std::pow(error, 4) /
+                    (std::pow(first, 4) / mean.freedom + std::pow(second, 4) / more.freedom);
     r.value = (before * mean.value + more.value) / all;
     r.cov = error / (all * r.value);
     r.passed += more.passed;
@@ -150,7 +172,9 @@ Run run(const LimitState& s, const SubsetOptions& o, FailedAs failed, std::uint6
         const double share = static_cast<double>(below.size()) / static_cast<double>(o.samples);
         r.levels.push_back({threshold, share, state.acceptance, ancestors(p, below)});
         r.reached *= share;
-        r.reached_cov = lineage_cov(p, below);
+        const LineageScatter scatter = lineage_scatter(p, below);
+        r.reached_cov = scatter.cov;
+        r.reached_freedom = scatter.freedom;
         p = next_population(s, p,
                             choose(below, chains, seed, static_cast<std::uint64_t>(level)),
                             threshold, failed, state, ledger);
@@ -165,8 +189,9 @@ core::Interval interval(const Run& r, const SubsetOptions& o)
         return core::binomial_interval(core::BinomialInterval::clopper_pearson,
                                        static_cast<double>(r.passed),
                                        static_cast<double>(r.samples), o.confidence);
-    if (r.passed > 0) return log_interval(r.value, r.cov * r.value, o.confidence);
-    core::Interval last = log_interval(r.reached, r.reached_cov * r.reached, o.confidence);
+    if (r.passed > 0) return log_interval(r.value, r.cov * r.value, o.confidence, r.freedom);
+    core::Interval last =
+        log_interval(r.reached, r.reached_cov * r.reached, o.confidence, r.reached_freedom);
     last.lower = 0.0;
     return last;
 }

@@ -43,7 +43,8 @@ constexpr std::size_t kFewAncestors = 10;
 /// The standard error is that of the numbers of passed descendants of the first level's
 /// samples, which are independent of each other: correlation inside chains, between chains and
 /// between levels is all in it. (Of generalised splitting: Botev and Kroese 2012; for particle
-/// filters: Lee and Whiteley 2018.)
+/// filters: Lee and Whiteley 2018.) The interval is log-normal with Student's factor, since few
+/// large families tell little of their own scatter.
 ///
 /// Where a run ends with evaluations left and the target_cov is not reached, as many are begun
 /// as fit by the evaluations of the longest so far; they are independent, and the answer is

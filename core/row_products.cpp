@@ -1,20 +1,23 @@
-#include "uq/fields/field_product.hpp"
+#include "core/row_products.hpp"
 
 #include <algorithm>
 #include <cstring>
 #include <vector>
 
-namespace uq {
+namespace core {
 
 namespace {
 
+#ifdef __AVX__
 constexpr Eigen::Index kLanes = 4;
+#else
+constexpr Eigen::Index kLanes = 2; // split by the compiler, four would leave the registers
+#endif
 constexpr Eigen::Index kSamples =
     2 * kLanes;                   ///< side by side, one in each lane of two registers
 constexpr Eigen::Index kRows = 4; ///< of the map, so that a loaded coordinate serves four sums
 
-/// Where registers are shorter the compiler splits it; lanes never meet, so the bits do not
-/// depend on how.
+/// Lanes never meet, so the bits do not depend on their number.
 using Lanes = double __attribute__((vector_size(kLanes * sizeof(double))));
 
 Lanes load(const double* from)
@@ -86,4 +89,4 @@ Eigen::MatrixXd times_transposed(const Eigen::MatrixXd& z, const Eigen::MatrixXd
     return g;
 }
 
-} // namespace uq
+} // namespace core
