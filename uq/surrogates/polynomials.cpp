@@ -74,10 +74,12 @@ PolynomialFamily family_named(const std::string& text)
     std::string first;
     in >> first;
     const auto at = std::ranges::find(kNames, first);
-    PolynomialFamily f(static_cast<PolynomialFamily::Kind>(at - kNames.begin()));
+    const bool known = at != kNames.end();
+    PolynomialFamily f(known ? static_cast<PolynomialFamily::Kind>(at - kNames.begin())
+                             : PolynomialFamily::legendre);
     if (f.kind == PolynomialFamily::jacobi) in >> f.a >> f.b;
     if (f.kind == PolynomialFamily::laguerre) in >> f.a;
-    if (at == kNames.end() || !in || !(f.a > -1.0 && f.b > -1.0))
+    if (!known || !in || !(f.a > -1.0 && f.b > -1.0))
         throw std::invalid_argument("'" + text + "' is no family of polynomials");
     return f;
 }
