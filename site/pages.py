@@ -13,7 +13,7 @@ COPIED = ["docs", "configs", "examples", "packaging", "fragility/codes/codes.jso
 def documents(root, out):
     for name in COPIED:
         source, to = root / name, out / name
-        to.parent.mkdir(exist_ok=True)
+        to.parent.mkdir(parents=True, exist_ok=True)
         shutil.copytree(source, to) if source.is_dir() else shutil.copy(source, to)
     text = (root / "README.md").read_text(encoding="utf-8")
     (out / "index.md").write_text(text.replace("# Drystone\n", "# Drystone\n\n[Push a wall in the browser](try.md){ .md-button .md-button--primary }\n", 1), encoding="utf-8")
