@@ -225,7 +225,8 @@ bench::Report report_of(const std::vector<SceneReport>& scenes, const Request& r
     r.sections = {
         {"limit", "The step used",
          "Largest eigenvalue of M^-1 K, all contacts closed, sticking and uncracked "
-         "(`dem/solver/step/stability_limit`): wall of the paper at 0.50 MPa, default settings. The "
+         "(`dem/solver/step/stability_limit`): wall of the paper at 0.50 MPa, default "
+         "settings. The "
          "bound "
          "that "
          "sets the masses is proven (`dem/block/block_element.hpp`), and it is sharp.",
