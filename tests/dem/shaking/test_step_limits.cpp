@@ -115,3 +115,18 @@ TEST_CASE("step limits: elastic modes with fictitious masses hold up neither the
         CHECK(with(i) == Approx(without(i)).epsilon(i == 6 ? 3.5e-3 : 3e-4));
     }
 }
+
+TEST_CASE("step limits: without dashpots a history steps by a quarter of a contact's own limit",
+          "[dem][shaking][step_limits]")
+{
+    const scenes::Scene s = block(0.2, 0.6);
+    const dem::Model m = model(s);
+    const dem::WallMaterials w = scenes::uniform(s, m);
+    const dem::StepTables t = dem::step_tables(m);
+    const dem::ShakePlan plan = half_sine(1.0, 2.0, 40);
+    const double contact =
+        dem::step_limits(m, t, w, dem::true_masses(m, t, w, plan.load)).contact;
+    const double step = dem::shake(m, w, plan).time_step;
+    CHECK(step <= 0.25 * contact);
+    CHECK(plan.step / step == Approx(std::ceil(plan.step / (0.25 * contact)))); // no smaller
+}

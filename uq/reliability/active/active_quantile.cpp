@@ -66,7 +66,7 @@ QuantileRound round_at_quantile(Learner& learner, double shift, const ActiveQuan
     return r;
 }
 
-/// Points to learn from in this round; none: it checks.
+/// The points to learn from in this round; none where the round checks.
 Eigen::MatrixXd lesson_of(const QuantileRound& now, const Learner& learner,
                           const GaussianProcess& g, double change, double target_cov,
                           Eigen::Index batch, std::uint64_t seed)

@@ -30,7 +30,7 @@ Eigen::ArrayXd passing_at(const QuantileRound& r, double t)
     return p;
 }
 
-/// CheckSums over the checks of all rounds.
+/// Sums over the checks of all rounds.
 struct CheckSums {
     std::vector<double> value, if_below, if_above; ///< Y of each check; failed ones either way
     double expected = 0.0, points = 0.0, event_weight = 0.0;
@@ -114,7 +114,7 @@ QuantileCrossing crossing(const std::vector<QuantileRound>& rounds, double proba
     std::vector<ProbabilityBelow> p;
     for (int i = 0; i <= kCrossingSteps; ++i) p.push_back(at(least + step * i));
     using Holds = bool (*)(const ProbabilityBelow&, double);
-    // first place after step `before` where the condition holds, if it does at the next step
+    // The first place after step `before` where the condition holds; at the next step it does.
     const auto refined = [&](int before, Holds holds) {
         double low = least + step * before, high = low + step;
         for (int k = 0; k < kCrossingHalvings; ++k) {
