@@ -1,5 +1,7 @@
 #include "fragility/laws/maximise.hpp"
 
+#include "core/matrix_factors.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -25,7 +27,7 @@ NewtonStep newton_step(const Local& here)
     for (double damping = 0.0; damping<1e12; damping = damping> 0.0 ? 10.0 * damping : 1e-3) {
         const Eigen::MatrixXd damped =
             curvature + Eigen::MatrixXd((damping * size).asDiagonal());
-        const Eigen::LLT<Eigen::MatrixXd> factor(damped);
+        const auto factor = core::cholesky(damped);
         if (factor.info() != Eigen::Success) continue;
         const Eigen::VectorXd by = factor.solve(here.gradient);
         const double gain = here.gradient.dot(by);
@@ -73,9 +75,8 @@ Maximum maximise(const std::function<Local(const Eigen::VectorXd&)>& f, Eigen::V
 
 Eigen::MatrixXd inverse_information(const Eigen::MatrixXd& hessian)
 {
-    const Eigen::MatrixXd information = -hessian;
-    const Eigen::LLT<Eigen::MatrixXd> factor(information);
-    return factor.solve(Eigen::MatrixXd::Identity(hessian.rows(), hessian.cols()));
+    return core::solve(core::cholesky(-hessian),
+                       Eigen::MatrixXd::Identity(hessian.rows(), hessian.cols()));
 }
 
 } // namespace fragility

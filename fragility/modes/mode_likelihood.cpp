@@ -1,5 +1,7 @@
 #include "fragility/modes/mode_model.hpp"
 
+#include "core/matrix_factors.hpp"
+
 #include <cmath>
 #include <limits>
 
@@ -70,13 +72,13 @@ Local penalised_slope(const MatrixXd& design, const MatrixXd& counts, const Vect
 {
     Local l = mode_likelihood(design, counts, beta);
     const MatrixXd information = -l.hessian;
-    const Eigen::LLT<MatrixXd> factor(information);
+    const auto factor = core::cholesky(information);
     if (factor.info() != Eigen::Success || !(factor.rcond() > 1e-15)) {
         l.value = -std::numeric_limits<double>::infinity();
         return l;
     }
     l.value += factor.matrixLLT().diagonal().array().log().sum(); // ln sqrt det
-    const MatrixXd inverse = factor.solve(MatrixXd::Identity(beta.size(), beta.size()));
+    const MatrixXd inverse = core::solve(factor, MatrixXd::Identity(beta.size(), beta.size()));
     l.gradient += penalty_gradient(design, counts, beta, inverse);
     return l;
 }

@@ -1,6 +1,7 @@
 #include "fragility/modes/mode_model.hpp"
 
 #include "core/fit_factors.hpp"
+#include "core/matrix_factors.hpp"
 #include "fragility/laws/standard_law.hpp"
 
 #include <cmath>
@@ -163,7 +164,7 @@ ModeModel fit_modes(const ModeData& data, ModePenalty penalty)
 {
     if (auto no = screen(data, penalty)) return *no;
     const Scaled s = scaled(data);
-    if (Eigen::ColPivHouseholderQR<MatrixXd>(s.design).rank() < s.design.cols())
+    if (core::rank(s.design) < s.design.cols())
         return refused(ModelOutcome::collinear,
                        "a covariate is constant or a combination of the others");
     const Index size = (s.counts.cols() - 1) * s.design.cols();

@@ -1,8 +1,7 @@
 #include "uq/designs/iman_conover.hpp"
 
+#include "core/matrix_factors.hpp"
 #include "core/normal.hpp"
-
-#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cstddef>
@@ -52,7 +51,8 @@ Eigen::MatrixXd reordered(const Eigen::MatrixXd& x, const Eigen::MatrixXd& targe
     const auto n = static_cast<double>(x.rows());
     if (x.rows() <= x.cols()) refuse(x.rows(), x.cols());
     const Eigen::MatrixXd present = scores.transpose() * scores / n;
-    const Eigen::LLT<Eigen::MatrixXd> have(present), want(target);
+    const Eigen::LLT<Eigen::MatrixXd> have = core::cholesky(present),
+                                      want = core::cholesky(target);
     const Eigen::MatrixXd f = have.matrixU(), c = want.matrixU();
     if (have.info() != Eigen::Success ||
         f.diagonal().minCoeff() < kIndependent * f.diagonal().maxCoeff())

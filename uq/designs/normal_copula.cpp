@@ -1,9 +1,8 @@
 #include "uq/designs/normal_copula.hpp"
 
+#include "core/matrix_factors.hpp"
 #include "uq/designs/correlation_matrix.hpp"
 #include "uq/designs/nataf.hpp"
-
-#include <Eigen/Cholesky>
 
 #include <cstddef>
 #include <stdexcept>
@@ -31,7 +30,7 @@ Eigen::MatrixXd normal_correlations(std::span<const Variable> variables,
                                             variables[index(i)].name + ": " + e.what());
             }
         }
-    if (Eigen::LLT<Eigen::MatrixXd>(rho_z).info() != Eigen::Success) {
+    if (core::cholesky(rho_z).info() != Eigen::Success) {
         Eigen::MatrixXd nearest = nearest_correlation(rho_z, 1e-4);
         for (Eigen::Index i = 0; i < d; ++i)
             for (Eigen::Index j = 0; j < d; ++j)
@@ -51,7 +50,7 @@ NormalCopula normal_copula(std::span<const Variable> variables, const Eigen::Mat
 {
     check_correlation(pearson, static_cast<Eigen::Index>(variables.size()), "pearson");
     NormalCopula c{normal_correlations(variables, pearson), {}};
-    c.factor = Eigen::LLT<Eigen::MatrixXd>(c.rho_z).matrixL();
+    c.factor = core::cholesky(c.rho_z).matrixL();
     return c;
 }
 

@@ -1,5 +1,6 @@
 #include "uq/estimates/latin_error.hpp"
 
+#include "core/matrix_factors.hpp"
 #include "core/normal.hpp"
 
 #include <algorithm>
@@ -54,9 +55,9 @@ double residual_variance(const Eigen::VectorXd& y, const Eigen::MatrixXd& shares
         for (Eigen::Index i = 0; i < columns.rows(); ++i)
             columns(i, c) = basis_function(kind, shares(i, (c - 1) / degree),
                                            1 + static_cast<int>((c - 1) % degree));
-    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
-    return (y - columns * qr.solve(y)).squaredNorm() /
-           static_cast<double>(columns.rows() - qr.rank());
+    const core::LeastSquares fit = core::least_squares(columns, y);
+    return (y - columns * fit.coefficients).squaredNorm() /
+           static_cast<double>(columns.rows() - fit.rank);
 }
 
 } // namespace

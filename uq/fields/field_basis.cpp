@@ -1,6 +1,6 @@
 #include "uq/fields/field_basis.hpp"
 
-#include <Eigen/Cholesky>
+#include "core/matrix_factors.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -55,14 +55,14 @@ FieldBasis cholesky_basis(const Eigen::MatrixXd& correlation)
     const DistinctSites sites = distinct_sites(correlation);
     const Eigen::MatrixXd r = reduced(correlation, sites);
     FieldBasis basis;
-    Eigen::LLT<Eigen::MatrixXd> llt(r);
+    Eigen::LLT<Eigen::MatrixXd> llt = core::cholesky(r);
     while (llt.info() != Eigen::Success) {
         basis.nugget = basis.nugget == 0.0 ? 1e-14 : 10.0 * basis.nugget;
         if (basis.nugget > kLargestNugget)
             throw std::invalid_argument("the correlation matrix has a negative eigenvalue");
         Eigen::MatrixXd raised = r / (1.0 + basis.nugget);
         raised.diagonal().setOnes();
-        llt.compute(raised);
+        llt = core::cholesky(raised);
     }
     basis.map = expanded(llt.matrixL(), sites);
     return basis;

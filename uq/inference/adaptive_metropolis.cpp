@@ -1,8 +1,7 @@
 #include "uq/inference/adaptive_metropolis.hpp"
 
+#include "core/matrix_factors.hpp"
 #include "uq/designs/stream.hpp"
-
-#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +38,7 @@ struct Walker {
     {
         Eigen::MatrixXd c = covariance;
         c.diagonal().array() += kRegular * covariance.trace() / static_cast<double>(at.size());
-        const Eigen::LLT<Eigen::MatrixXd> llt(c);
+        const auto llt = core::cholesky(c);
         if (llt.info() == Eigen::Success) factor = llt.matrixL();
     }
 

@@ -1,9 +1,8 @@
 #include "uq/inference/evidence.hpp"
 
+#include "core/matrix_factors.hpp"
 #include "uq/designs/stream.hpp"
 #include "uq/inference/chain_diagnostics.hpp"
-
-#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
@@ -39,8 +38,8 @@ NormalDensity fitted(const std::vector<Chain>& chains)
             chains[k].draws.topRows(half);
     NormalDensity g{all.colwise().mean().transpose(), {}};
     const Eigen::MatrixXd off = all.rowwise() - g.mean.transpose();
-    const Eigen::LLT<Eigen::MatrixXd> llt(off.transpose() * off /
-                                          static_cast<double>(all.rows() - 1));
+    const auto llt =
+        core::cholesky(off.transpose() * off / static_cast<double>(all.rows() - 1));
     if (llt.info() != Eigen::Success || !(llt.matrixLLT().diagonal().minCoeff() > 0.0))
         throw std::invalid_argument("evidence: the draws have no covariance");
     g.factor = llt.matrixL();

@@ -1,8 +1,7 @@
 #include "uq/surrogates/gaussian_process.hpp"
 
+#include "core/matrix_factors.hpp"
 #include "core/row_products.hpp"
-
-#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
@@ -99,7 +98,7 @@ GaussianProcess condition(ProcessData data, ProcessKernel kernel, ProcessTrend t
     GaussianProcess p{
         std::move(data), kernel, trend, std::move(parameters), {}, {}, {}, {}, {}, {}, {}, 0.0};
     p.scaled = over_lengths(p.data.x, p.parameters.lengths);
-    const Eigen::LLT<Eigen::MatrixXd> k(process_covariance(p.data, kernel, p.parameters));
+    const auto k = core::cholesky(process_covariance(p.data, kernel, p.parameters));
     p.factor = k.matrixL();
     // rounding of a pivot is near 1e-16 of the diagonal: a smaller one is nothing but rounding
     const double most = p.factor.diagonal().maxCoeff(), least = p.factor.diagonal().minCoeff();
@@ -114,7 +113,7 @@ GaussianProcess condition(ProcessData data, ProcessKernel kernel, ProcessTrend t
     const Eigen::VectorXd white_y = lower.solve(p.data.y);
     Eigen::VectorXd white = white_y;
     if (f.cols() > 0) {
-        const Eigen::LLT<Eigen::MatrixXd> a(p.white_trend.transpose() * p.white_trend);
+        const auto a = core::cholesky(p.white_trend.transpose() * p.white_trend);
         if (a.info() != Eigen::Success)
             throw std::invalid_argument(
                 "process: the points do not tell the terms of the trend apart");

@@ -85,7 +85,7 @@ TEST_CASE("active quantile: answers that are censored leave the interval open ab
     CHECK(above.interval.upper < 4.6);
     o.known_below = 3.3; // below it, at its probability of 2.6 %
     o.active.max_evaluations = 96;
-    for (std::uint64_t seed = 1; seed <= 9; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
         const uq::ActiveQuantileResult below = found(cut(3.3), seed, o);
         CAPTURE(seed, below.value, below.interval.lower, below.trouble);
         if (!below.trouble.empty()) continue; // all first answers were censored
@@ -125,12 +125,12 @@ TEST_CASE(
 {
     const uq::LimitState s = problems::limit_state(2, bent);
     uq::ActiveQuantileOptions o;
-    o.active.target_cov = 1e-3;
-    o.active.max_evaluations = 61;
+    o.active.target_cov = 0.05; // not reached by that many
+    o.active.max_evaluations = 53;
     const uq::ActiveQuantileResult a = found(s, 3, o), b = found(s, 3, o);
     CHECK(a.value == b.value);
     CHECK(a.interval.lower == b.interval.lower);
-    CHECK(a.ledger.evaluations == 61);
+    CHECK(a.ledger.evaluations == 53);
     CHECK(a.outcome == uq::SamplingOutcome::limit_reached);
     CHECK(a.value != found(s, 4, o).value);
     o.probability = 0.6;

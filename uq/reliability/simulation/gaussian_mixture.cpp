@@ -1,7 +1,7 @@
 #include "uq/reliability/simulation/gaussian_mixture.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
+#include "core/eigen_pairs.hpp"
+#include "core/matrix_factors.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -66,7 +66,7 @@ std::optional<MixturePart> part_of(const Eigen::MatrixXd& u, const Eigen::Vector
     const Eigen::MatrixXd off = u.rowwise() - p.mean.transpose();
     Eigen::MatrixXd c = off.transpose() * weight.asDiagonal() * off / sum;
     c.diagonal().array() += kLeastWeight;
-    const Eigen::LLT<Eigen::MatrixXd> factor(c);
+    const auto factor = core::cholesky(c);
     if (factor.info() != Eigen::Success) return {};
     p.factor = factor.matrixL();
     return p;
@@ -124,13 +124,10 @@ void widen(MixturePart& p, double points)
     const auto d = static_cast<double>(p.mean.size());
     const double noise = std::sqrt(d / std::max(1.0, points));
     const double low = std::pow(std::max(0.0, 1.0 - noise), 2), high = std::pow(1.0 + noise, 2);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> c(p.factor * p.factor.transpose());
-    Eigen::VectorXd variance = c.eigenvalues();
+    auto [vectors, variance] = core::eigen_pairs(p.factor * p.factor.transpose());
     for (double& v : variance)
         v = v > low && v < high ? 1.0 : std::max(v, std::min(1.0, 4.0 * v));
-    p.factor = Eigen::LLT<Eigen::MatrixXd>(c.eigenvectors() * variance.asDiagonal() *
-                                           c.eigenvectors().transpose())
-                   .matrixL();
+    p.factor = core::cholesky(vectors * variance.asDiagonal() * vectors.transpose()).matrixL();
 }
 
 } // namespace
