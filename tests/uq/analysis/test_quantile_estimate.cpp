@@ -78,7 +78,7 @@ TEST_CASE("quantile: the interval holds the quantile at least as often as it say
     const double p = GENERATE(0.05, 0.5, 0.8);
     const double truth = -std::log1p(-p);
     int held = 0;
-    const int studies = 3000;
+    const int studies = 1500;
     for (int k = 0; k < studies; ++k) {
         Stream s(4, static_cast<std::uint64_t>(k), Purpose::monte_carlo);
         std::vector<double> y;
