@@ -30,12 +30,12 @@ def main(folder, out):
     with open(out + ".csv", "w", encoding="utf-8", newline="") as file:
         csv.writer(file, lineterminator="\n").writerows([HEAD, *table])
     lines = ["# Evidence of laws, by seven tests", "",
-             "Written by `bash bench/evidence.sh`. ln of the evidence with a discrepancy ([calibration.md](../calibration.md)) for walls of "
+             "Written by `bash bench/evidence.sh`. The table has ln of the evidence with a discrepancy ([calibration.md](../calibration.md)) for walls of "
              "`configs/calibration.ini` and the seven tests of `configs/lourenco2005.csv`, law by law, pushed with `solver.accuracy = 3 %`. Odds below 3 to 1 say little.", "",
              "| " + " | ".join(HEAD) + " |", "|" + "---|" * len(HEAD), *("| " + " | ".join(row) + " |" for row in table), ""]
     missing = ["joints " + " and envelope ".join(laws) for name, laws in LAWS.items() if not has_ended(pathlib.Path(folder), name)]
     if missing:
-        lines += [f"Not in the table, because their calibrations have not ended: {'; '.join(missing)}. The same command goes on with them.", ""]
+        lines += [f"Not in the table, because their calibrations have not ended: {'; '.join(missing)}. The same command adds them.", ""]
     pathlib.Path(out + ".md").write_text("\n".join(lines), encoding="utf-8")
 
 

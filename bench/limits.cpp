@@ -26,7 +26,7 @@ struct Choice {
 
 constexpr std::array kChoices = {
     Choice{"small", "small displacements, pushed to 30 mm"},
-    Choice{"finite", "finite displacements, load moves with the beam: the base of all below"},
+    Choice{"finite", "finite displacements, load moves with the beam: base of all rows below"},
     Choice{"standard", "fidelity standard (simple)"},
     Choice{"fixed_line", "load on a line fixed in space"},
     Choice{"follower", "load normal to the beam"},
@@ -79,22 +79,21 @@ app::Table table(const fs::path& work, const std::array<Choice, kN>& choices,
 
 std::string page_of(const fs::path& work)
 {
-    return "# What decides how far a wall can be pushed\n\nWritten by `bash bench/limits.sh` "
+    return "# Choices that decide how far a wall can be pushed\n\nWritten by `bash "
+           "bench/limits.sh` "
            "on " +
            bench::machine_line() +
-           ". The walls of `configs/collapse.ini`, 50 under each stress (16 where the density "
-           "of "
-           "cracks is at issue), the same samples in each row, pushed until the force has come "
-           "down to 80 % of its peak. Drift limits: "
-           "where it does, over the height of the load, by Kaplan and Meier, with 95 % "
-           "intervals; a number behind > says that fewer walls than this share fell to "
-           "80 % before their push ended. What the tables show: "
-           "[model.md](model.md#limits). Pushed until no force is left: "
-           "[validation.md](validation.md), section 8.\n\n" +
-           app::as_markdown(
-               table(work, kChoices,
-                     "Kinematics, vertical load, crushing and cracks at the toe, one "
-                     "at a time.")) +
+           ". The walls are those of `configs/collapse.ini`, 50 under each stress (16 in the "
+           "table of the density of cracks), with the same samples in each row. They are "
+           "pushed until the force has fallen to 80 % of its peak. Drift limit: displacement "
+           "at this fall over the height of the load, by Kaplan and Meier, with 95 % "
+           "intervals. A number after > means that fewer walls than this share fell to 80 % "
+           "before their push ended. [model.md](model.md#limits) says what the tables show. "
+           "For walls pushed until no force is left see [validation.md](validation.md), "
+           "section 8.\n\n" +
+           app::as_markdown(table(work, kChoices,
+                                  "Kinematics, vertical load, crushing, and cracks at the toe, "
+                                  "changed one at a time.")) +
            "\n" +
            app::as_markdown(
                table(work, kDensities, "Density of the cracks, fidelity standard."));

@@ -105,13 +105,12 @@ def main():
     text = (
         f"{count}{part} histories ({failed} failed): {limits['walls']} walls under each stress x {limits['records']} motions x "
         f"{len({r['intensity'] for r in stripes})} intensities. **In-plane shaking of dry-joint walls is verified against closed forms and not "
-        "validated: no open test of such a wall is known.** Median intensities at which a state is reached, with 95 % intervals "
-        "clustered by record and by wall where there are any ([?]: wider than 1 to 100). \\*: beyond the "
-        f"intensities of the study, {min(peaks):g} to {max(peaks):g} g: read off the law, or along a line from zero.\n\n"
+        "validated: no open test of such a wall is known.** The first table has the median intensity at which each state is reached, with 95 % intervals clustered by record and by wall if there are several ([?]: wider than 1 to 100). \\*: beyond the "
+        f"intensities of the study, {min(peaks):g} to {max(peaks):g} g; the value is extrapolated by the law, or along a line from zero.\n\n"
         f"{fragility_table(work)}\n\n"
-        "Shares of the histories that reached each state, and modes where the walls turned back or fell, in percent:\n\n"
+        "Shares of the histories that reached each state, and modes at the turn or fall of the walls, in percent:\n\n"
         f"{stripe_table(work)}\n\n"
-        "The same walls pushed at their top, one way and to and fro: median drift at which the force has fallen to 80 % of its peak.\n\n"
+        "Median drift at which the force has fallen to 80 % of its peak, for the same walls pushed at their top, one way and to and fro:\n\n"
         f"{push_table(work)}"
     )
     old = page.read_text()

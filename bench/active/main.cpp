@@ -107,11 +107,11 @@ void write_problems(const std::string& path, int runs)
         kOpening + "Limit states of known probability, " + std::to_string(runs) +
         " repetitions each with other seeds, target coefficient of variation 10 %, budget " +
         std::to_string(kBudget) +
-        ". Errors are those of the probability, over the exact one. Told: mean standard error "
-        "that the method states. Holds: 95 % intervals that hold the exact probability; truth "
-        "below and above: where it lies else. Target: runs that reached it. Other methods on "
-        "the "
-        "same limit states: [active_openturns.md](active_openturns.md).";
+        ". Errors are errors of the probability over the exact probability. Told: mean "
+        "standard error that the method states. Holds: 95 % intervals that contain the exact "
+        "probability; truth below and above: intervals that miss it. Target: runs that reached "
+        "the target. Other methods on the same limit states: "
+        "[active_openturns.md](active_openturns.md).";
     bench::write_report(
         path,
         {"Active learning: known probabilities", opening, {{"", "", "", problem_table(runs)}}});
@@ -121,13 +121,13 @@ void write_walls(const std::string& path)
 {
     const std::string opening =
         kOpening +
-        "The wall of `configs/reliability.ini` under 1.00 MPa, beside subset simulation of up "
-        "to 1500 walls. At the same error: walls that Monte Carlo, in closed form, and subset, "
-        "from its own standard error, which falls with the root of the number of walls, would "
-        "need for the standard error of the row. Subset simulation with three seeds: one 95 % "
-        "interval in twenty misses, and that of seed 1 of the first event, by which the first "
-        "version of this page knew it, is one that does. Its coverage on limit states of known "
-        "probability: [theory](../theory.md#11-reliability).";
+        "The wall of `configs/reliability.ini` under 1.00 MPa, compared with subset simulation "
+        "of up to 1500 walls. At the same error: number of walls that another method would "
+        "need for the standard error of the row (Monte Carlo in closed form; subset from its "
+        "own standard error, which falls with the root of the number of walls). Subset "
+        "simulation runs with three seeds: one 95 % interval in twenty misses the truth, and "
+        "that of seed 1 of the first event does. For the coverage of subset simulation on "
+        "limit states of known probability see [theory](../../theory.md#11-reliability).";
     wall_table([&](const app::Table& table) {
         bench::write_report(path, {"Active learning: walls", opening, {{"", "", "", table}}});
     });

@@ -32,37 +32,36 @@ void check_same_walls(const bench::TwoStudies& both)
 std::string page_of(const bench::TwoStudies& both)
 {
     const std::string n = std::to_string(both.cyclic.study.uq.samples);
-    std::string text = "# Cyclic pushes\n\nWritten by `./drystone cyclic` on " +
-                       bench::machine_line() +
-                       ". What is read off cycles: [model.md](model.md), section 5.\n\n";
+    std::string text =
+        "# Cyclic pushes\n\nWritten by `./drystone cyclic` on " + bench::machine_line() +
+        ". [model.md](model.md), section 5, explains the numbers read off cycles.\n\n";
     text +=
         "## 1. Closed forms\n\n" + app::as_markdown(bench::block_loops()) +
-        "\nWhat a rocking block loses is friction: contact points that unload slip, and "
-        "come into contact again at "
-        "another place. A block whose toe is held hardly does; the solver takes next to "
-        "nothing. Neither more contact points nor a slower drive takes that friction "
-        "away:\n\n" +
+        "\nA rocking block loses energy by friction: contact points that unload slip, and come "
+        "into contact again at another place. A block with a held toe hardly slips; the solver "
+        "takes almost nothing. Neither more contact points nor a slower push removes this "
+        "friction:\n\n" +
         app::as_markdown(bench::rocking_loops()) +
-        "\nThat friction is the wall's. A rigid block on the same springs and friction that is "
-        "in balance at every moment loses the same (tests/scenes/rocking_statics.hpp), and "
-        "with finite displacements nearly so:\n\n" +
+        "\nThis friction belongs to the wall. A rigid block on the same springs and friction, "
+        "computed in balance at every moment, loses the same energy "
+        "(tests/scenes/rocking_statics.hpp), and nearly the same with finite "
+        "displacements:\n\n" +
         app::as_markdown(bench::rocking_in_balance()) +
         "\nWhere the joint opens, a point loses its compression while it still carries shear: "
-        "it slips, and comes into contact again without shear. More friction lets fewer points "
-        "slip before they open, but a point that opens gives up its shear whatever its "
-        "friction. What the solver takes is in the column beside.\n\n";
-    text += "## 2. Speed of the drive\n\n" + app::as_markdown(bench::loops_over_speed()) +
-            "\nThe solver's damping is no property of the wall. Its share of small loops "
-            "shrinks with the speed; of large "
-            "ones it is what cracks and jumps leave to be damped.\n\n";
+        "it slips, and comes into contact again without shear. With more friction fewer points "
+        "slip before they open, but a point that opens gives up its shear at any friction. The "
+        "column 'solver' has the energy that the solver takes.\n\n";
+    text += "## 2. Speed of the push\n\n" + app::as_markdown(bench::loops_over_speed()) +
+            "\nThe solver's damping is not a property of the wall. Its share of small loops "
+            "shrinks with the speed; in large loops it takes the energy that cracks and jumps "
+            "set free.\n\n";
     text += "## 3. Cost\n\n" + app::as_markdown(bench::protocol_cost()) +
-            "\nThe drive brakes before turns, and starts as softly after them.\n\n";
+            "\nThe load line brakes before turns, and starts as softly after them.\n\n";
     text += "## 4. The paper's walls\n\n`configs/paper.ini`, " + n +
-            " walls under each stress, with the default damping (`solver.damping = combined`) "
-            "because the paper's drags, "
-            "which a loop would show as energy of the wall. One way to 30 mm, and cycles of 3, "
-            "6, 10, 15, 20 and 30 mm, read "
-            "on the mean of both backbones.\n\n";
+            " walls under each stress, with the default damping (`solver.damping = combined`): "
+            "the paper's damping drags moving blocks, and a loop would show this as energy of "
+            "the wall. The walls are pushed one way to 30 mm, and in cycles of 3, 6, 10, 15, "
+            "20 and 30 mm, read on the mean of both backbones.\n\n";
     text += "**Drift limits**\n\n" + app::as_markdown(bench::limit_table(both)) + "\n";
     text += "**Modes**\n\n" + app::as_markdown(bench::share_table(both)) + "\n";
     text += "## 5. Damping\n\n";

@@ -103,8 +103,8 @@ app::Table block_loops()
 {
     app::Table t;
     t.caption = "Blocks on a dry joint under 0.50 MPa, second of two equal cycles of 5 mm "
-                "(sliding) and 10 mm "
-                "(rocking), in percent of 4 F d; exact: 1 - F/(k d), and none.";
+                "(sliding) and 10 mm (rocking), in percent of 4 F d. Exact: 1 - F/(k d) for "
+                "sliding, zero for rocking.";
     t.head = {"block",      "energy [%]",  "exact [%]",        "of it friction [%]",
               "solver [%]", "damping [%]", "exact damping [%]"};
     t.rows = {slider_row(), rocker_row(1.0, dem::Toe::held), rocker_row(1.0, dem::Toe::free),
@@ -117,7 +117,7 @@ app::Table rocking_loops()
     app::Table t;
     t.caption =
         "The block of 1 m x 1 m with a free toe, second cycle of 10 mm, in percent of 4 F d: "
-        "contact points on its faces, accuracy of the drive, modes of the block.";
+        "contact points on its faces, accuracy of the push, modes of the block.";
     t.head = {"points",     "accuracy [%]",       "modes",
               "energy [%]", "of it friction [%]", "solver [%]"};
     struct Case {
@@ -154,7 +154,8 @@ app::Table rocking_in_balance()
     t.caption =
         "A rigid block of 1 m x 1 m with a free toe, second of two equal cycles, in percent of "
         "4 F "
-        "d: as pushed, and in balance at every moment, without masses, damping and speed.";
+        "d: as pushed, and computed in balance at every moment, without masses, damping and "
+        "speed.";
     t.head = {"friction angle [degrees]",
               "points",
               "amplitude [mm]",
@@ -204,7 +205,7 @@ app::Table loops_over_speed()
     app::Table t;
     t.caption = "The paper's wall with mean values at 0.50 MPa: energy of each cycle [J], and "
                 "the share of it that the "
-                "solver's damping takes [%], for accuracies of the drive (solver.accuracy; "
+                "solver's damping takes [%], for several accuracies (solver.accuracy; "
                 "1 % is the default).";
     t.head = {"accuracy [%]", "steps"};
     const std::vector<double> amplitudes = {1, 3, 6, 10, 15};

@@ -85,12 +85,10 @@ app::Table limit_table(const TwoStudies& both)
     app::Table t;
     t.caption =
         "Median drifts [%] with 95 % intervals, as drystone fragility reads them; \">\": "
-        "beyond "
-        "the drift that was tested. Seen: walls that reached the limit state. Ratio: geometric "
-        "mean of the drift under cycles over that of the same wall pushed one way, of the "
-        "walls "
-        "on which both were seen, with its 95 % interval. SLO and SLD are read where the first "
-        "amplitude lies within yield.";
+        "beyond the drift tested. Seen: number of walls that reached the limit state. Ratio: "
+        "drift under cycles over the drift of the same wall pushed one way, as geometric mean "
+        "with its 95 % interval over the walls on which both were seen. SLO and SLD are read "
+        "only if the first amplitude lies within yield.";
     t.keys = 2;
     t.head = {"stress [MPa]",
               "limit state",
@@ -117,9 +115,9 @@ app::Table limit_table(const TwoStudies& both)
 app::Table share_table(const TwoStudies& both)
 {
     app::Table t;
-    t.caption = "Shares of the modes [%] with Wilson's 95 % intervals, walls whose force fell "
-                "to 80 % of the peak, and "
-                "mean peak forces with their 95 % intervals.";
+    t.caption =
+        "Shares of the modes [%] with Wilson's 95 % intervals, number of walls whose force "
+        "fell to 80 % of the peak, and mean peak forces with their 95 % intervals.";
     t.keys = 2;
     t.head = {"stress [MPa]", "push", "walls"};
     const std::vector<int> modes = app::modes_of(both.one_way);

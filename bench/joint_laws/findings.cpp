@@ -95,9 +95,8 @@ std::string drift_limits(const LawRuns& runs)
     std::vector<std::string> parts;
     for (const double stress : stresses_of(runs.random))
         parts.push_back(shares_at(runs.random, stress));
-    return "Drift limits: by the law alone the share of random walls that are down to 80 % of "
-           "their "
-           "peak within a drift of 1 % is " +
+    return "Drift limits: the share of random walls whose force falls to 80 % of the peak "
+           "within a drift of 1 % depends on the law. It is " +
            listed(parts) + ".";
 }
 
@@ -166,12 +165,11 @@ std::string sureness(const LawRuns& runs)
         for (std::size_t i = 1; i < law.size(); ++i)
             add_ratios(law.front(), law[i], peaks, drops);
     if (peaks.n == 0 || drops.n == 0) return {};
-    return "How sure: another speed of the drive or a finer wall moves the peak of a wall with "
-           "mean "
-           "values by up to " +
+    return "How sure: another speed of the push or a finer wall changes the peak of a wall "
+           "with mean values by up to " +
            app::fixed(100.0 * (peaks.most - 1.0), 1) +
            " % and its 80 % drop by up to a factor of " + app::fixed(drops.most, 2) +
-           ", which is the least that two laws must differ by to be told apart on one wall.";
+           ". Two laws must differ by more than this to be told apart on one wall.";
 }
 
 std::string free_choices(const LawRuns& runs)

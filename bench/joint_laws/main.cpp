@@ -142,31 +142,27 @@ std::string page_of(bench::LawStudies& all, std::span<const bench::TestedWall> t
     for (const std::string& sentence : bench::findings(runs, tests))
         text += "- " + sentence + "\n";
     text += "\nWritten by `./drystone joint_laws` on " + bench::machine_line() +
-            "; every number is read from the studies that command runs. ";
+            "; every number comes from the studies that this command runs. ";
     if (!all.missing().empty()) {
-        text += "Not run, or not to the end, when this was written: ";
+        text += "Not run, or not to the end, when the page was written: ";
         for (const std::string& name : all.missing())
             text += (&name == &all.missing().front() ? "" : ", ") + name;
         text += ". ";
     }
-    text +=
-        "What the laws are: [model.md](model.md), section 3. All walls move by finite "
-        "displacements and with the program's own damping, and are pushed until the force is "
-        "down to 70 % of its peak (`configs/closure.ini`): the drop to 80 % of a wall that "
-        "only "
-        "rocks is then seen too.\n\n" +
-        laws_text() +
-        "\nBoth closures are fitted by the program to the paper's four wall moduli; the "
-        "paper's "
-        "own law takes one modulus a stress, interpolated at 0.75 MPa. The energy in shear is "
-        "ten "
-        "times that of mode I, a choice.\n\n";
+    text += "[model.md](model.md), section 3, describes the laws. All walls have finite "
+            "displacements and the default damping, and are pushed until the force is down to "
+            "70 % of its peak (`configs/closure.ini`). The drop to 80 % of a wall that only "
+            "rocks is then observed too.\n\n" +
+            laws_text() +
+            "\nThe program fits both closures to the paper's four wall moduli; the paper's own "
+            "law has one modulus for each stress, interpolated at 0.75 MPa. The energy in "
+            "shear is ten times that of mode I (a choice).\n\n";
     text +=
         "## 1. Random walls\n\nThe paper's walls, " + walls_of(runs.random) +
         " under each stress (the command runs 50 unless DRYSTONE_SAMPLES says otherwise), the "
         "same samples with every law, `solver.fidelity = simple` and `solver.accuracy = 3 %` "
-        "(section 3 has others). Drift limits: where the force is down to 80 % of its peak, "
-        "by Kaplan and Meier, with 95 % intervals.\n\n" +
+        "(section 3 has others). Drift limits: drift at which the force is down to 80 % of its "
+        "peak, by Kaplan and Meier, with 95 % intervals.\n\n" +
         app::as_markdown(bench::random_walls(runs.random)) + ledger_text(runs.random);
     if (runs.random.size() > 1)
         text +=
@@ -177,28 +173,26 @@ std::string page_of(bench::LawStudies& all, std::span<const bench::TestedWall> t
     text +=
         "\n## 2. The wall with mean values, and the tests\n\n`solver.accuracy = 1 %`. Tests: "
         "Lourenço et al. (2005), digitised by Vanin et al. (2017, doi "
-        "10.5281/zenodo.812145); \">\": where the curve ends, before the drop. The hyperbola "
-        "takes the paper's moduli for secants from "
-        "the unloaded joint: a push, which begins under the vertical load, feels its steeper "
-        "tangent. The exponential "
-        "law takes them for tangents, as the paper's own law does.\n\n" +
+        "10.5281/zenodo.812145); \">\": the curve ends there, before the drop. The hyperbola "
+        "reads the paper's moduli as secants from the unloaded joint; a push begins under the "
+        "vertical load and therefore meets the steeper tangent. The exponential law reads them "
+        "as tangents, as the paper's own law does.\n\n" +
         number_tables(runs.mean, tests, true);
     text += "## 3. Other speeds and discretisations\n\nThe same walls at another "
             "`solver.accuracy` and with another `solver.fidelity`. The wall with mean values, "
             "`standard` unless it says fine:\n\n" +
             number_tables(together(runs.mean_checks), {}, false) + "Random walls, " +
             walls_of(random_checks) +
-            " under each stress, other walls than in section 1 where their number is "
-            "another:\n\n" +
+            " under each stress. If this number differs from that in section 1, they are other "
+            "walls than there:\n\n" +
             app::as_markdown(bench::random_walls(random_checks));
-    text +=
-        "\n## 4. Free choices of closure\n\nThe wall with mean values, all "
-        "laws and hyperbolic closure, one key at a time.\n\n" +
-        number_tables(together({runs.limits, runs.losses}), {}, false) +
-        "Equivalent viscous damping of each cycle of a wall of 1.0 x 1.2 m whose stones do "
-        "not crack, under 0.50 MPa and with mean values, by the amplitude. Part of it is that "
-        "of the solver ([cyclic.md](cyclic.md)).\n\n" +
-        app::as_markdown(bench::damping_of_cycles(cycles));
+    text += "\n## 4. Free choices of closure\n\nThe wall with mean values, all "
+            "laws and hyperbolic closure, one key at a time.\n\n" +
+            number_tables(together({runs.limits, runs.losses}), {}, false) +
+            "Equivalent viscous damping of each cycle of a wall of 1.0 x 1.2 m whose stones do "
+            "not crack, under 0.50 MPa and with mean values, by the amplitude. Part of the "
+            "damping comes from the solver ([cyclic.md](cyclic.md)).\n\n" +
+            app::as_markdown(bench::damping_of_cycles(cycles));
     return text;
 }
 

@@ -48,18 +48,16 @@ void write(const std::filesystem::path& work, const std::string& out)
             row.emplace_back(app::fixed(seconds_by_level(file).at(level), 2));
             t.rows.push_back(std::move(row));
         }
-    bench::write_report(out,
-                        {"What the default push costs and gives",
-                         "The walls of `configs/paper.ini`, " + walls +
-                             " under each stress, with simple stones and the "
-                             "default damping: with small displacements to 30 mm, as that file "
-                             "has it, and without "
-                             "the two keys that say so: finite displacements, until the force "
-                             "is down to 78 % of "
-                             "its peak, at most a fifth of the height. By `bash "
-                             "bench/default_push.sh`. Drifts by "
-                             "Kaplan and Meier with 95 % intervals; time: of one processor.",
-                         {{"", "", "", t}}});
+    bench::write_report(
+        out, {"Cost and effect of the default push",
+              "The walls of `configs/paper.ini`, " + walls +
+                  " under each stress, with simple stones and the default damping. They are "
+                  "pushed twice: with small displacements to 30 mm, as in that file; and "
+                  "without these two keys, that is with finite displacements until the force "
+                  "is down to 78 % of its peak, at most a fifth of the height. By `bash "
+                  "bench/default_push.sh`. Drifts by "
+                  "Kaplan and Meier with 95 % intervals; time: of one processor.",
+              {{"", "", "", t}}});
 }
 
 } // namespace

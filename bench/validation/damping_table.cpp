@@ -10,10 +10,9 @@ app::Table damping_table(const std::vector<LevelStatistics>& local,
                          const std::vector<LevelStatistics>& combined)
 {
     app::Table t;
-    t.caption =
-        "The paper's damping, which the tables above have (local, Eq. 1), and the default "
-        "of the program (combined; model.md, section 4): the same 500 walls "
-        "under each stress. [95 % intervals].";
+    t.caption = "The paper's damping (local, Eq. 1), used in the tables above, and the default "
+                "of the program (combined; model.md, section 4): the same 500 walls under each "
+                "stress. [95 % intervals].";
     t.head = {"stress [MPa]",        "peak, paper [kN]",
               "peak, local",         "peak, combined",
               "rocking, paper [%]",  "rocking, local",

@@ -114,11 +114,11 @@ app::Table effects_table(const app::StudyWalls& base, const std::filesystem::pat
     app::Table t;
     const auto ours = level_statistics(base);
     t.caption =
-        "Effect of each choice, alone, on means of 50 walls, under " +
+        "Effect of each choice alone on means of 50 walls, under " +
         levels(ours.size(), [&](std::size_t l) { return app::fixed(ours[l].stress_MPa, 2); }) +
-        " MPa; our choice in brackets. The same samples in each row, so that differences "
-        "are those of the choice; where single walls branch, shares move by 2 or 4 points "
-        "by themselves. Displacement: first fall to 80 % or end of the run, -: fewer than "
+        " MPa; our choice in brackets. Each row has the same samples, so that differences come "
+        "from the choice; if single walls change their mode by chance, shares move by 2 or 4 "
+        "points. Displacement: first fall to 80 % or end of the run, -: fewer than "
         "5 walls of mixed mode. Failed: walls without a result.";
     t.head = {"choice", "peak force of all walls [%]", "rocking walls [points]",
               "displacement of mixed walls [mm]", "failed"};

@@ -24,9 +24,8 @@ JointInputs joint_inputs(const std::filesystem::path& work)
 app::Table joint_inputs_table(const JointInputs& inputs)
 {
     app::Table t;
-    t.caption =
-        "Which input makes the fall: each alone with a value per joint (stratified), the "
-        "others at their means, 100 walls each. [95 % intervals].";
+    t.caption = "The input that causes the fall: each input alone with a value per joint "
+                "(stratified), the others at their means, 100 walls each. [95 % intervals].";
     t.head = {"random, per joint", "rocking [%]", "force, all [kN]", "COV of all",
               "displacement, mixed [mm]"};
     const LevelStatistics& one = inputs.none;

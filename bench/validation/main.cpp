@@ -94,15 +94,14 @@ Page pushed_to_the_end(const fs::path& work)
             bench::limit_row("finite displacements, pushed to zero force", collapse, l));
     }
     page.write(
-        "With small displacements the lever arm of the vertical load never shrinks: what rocks "
-        "or slides keeps its load, and what stands at 30 mm is censored. Here the walls of "
-        "`configs/collapse.ini`, whose blocks turn and slide by any amount under a load that "
-        "moves with the beam, with the default damping and six modes per block, are pushed "
-        "until "
-        "no force is left. A number behind > says that "
-        "fewer walls than this share fell to 80 % before their push ended; in brackets are 95 "
-        "% intervals by Kaplan and Meier. Other vertical loads, double bending, crushing and "
-        "cracks at the toe: [limits.md](limits.md).");
+        "With small displacements the lever arm of the vertical load never shrinks: a wall "
+        "that rocks or slides keeps its load, and a wall that stands at 30 mm is censored. "
+        "Here the walls of `configs/collapse.ini` are pushed until no force is left. Their "
+        "blocks turn and slide by any amount under a load that moves with the beam, with the "
+        "default damping and six modes per block. A number after > means that fewer walls than "
+        "this share fell to 80 % before their push ended; brackets hold 95 % intervals by "
+        "Kaplan and Meier. For other vertical loads, double bending, crushing and cracks at "
+        "the toe see [limits.md](limits.md).");
     page.show(t);
     page.show(bench::limits_by_mode(collapse));
     return page;
@@ -127,21 +126,19 @@ Page page_of(const fs::path& work)
 
     Page page;
     page.write("# Validation: the paper and the tests against Drystone");
-    page.write(
-        "Written by `./drystone validate` on " + bench::machine_line() +
-        "; every number is read from the studies that command runs. Five stress levels, "
-        "one set "
-        "of choices for all of them ([model.md](model.md), section 6). Three were made after "
-        "a first comparison: the rule of modes, the paper's damping (Eq. 1) in its two "
-        "studies where the program's default is another, and the weight of the beam "
-        "(section 6).");
+    page.write("Written by `./drystone validate` on " + bench::machine_line() +
+               "; every number comes from the studies that this command runs. One set of "
+               "choices holds for all five stress levels ([model.md](model.md), section 6). "
+               "Three choices were made after a first comparison: the rule of modes, the "
+               "paper's damping (Eq. 1) in its two studies in place of the program's default, "
+               "and the weight of the beam (section 6).");
     page.write("## 1. One wall with mean values, and the tests");
     page.write(bench::remarks_on_tests(paper.study));
     for (const char* stress : {"0.15", "0.50", "0.75", "1.00", "1.25"})
         page.text += "![" + std::string(stress) + " MPa](tests/" + stress + "_MPa.svg)\n";
-    page.write(
-        "\nCounterpart of Fig. 6; numbers in [tests/comparison.md](tests/comparison.md). "
-        "Counterpart of Fig. 7, coupled against uncoupled law at 1.25 MPa:");
+    page.write("\nThe five pictures above correspond to Fig. 6; numbers in "
+               "[tests/comparison.md](tests/comparison.md). The next one corresponds to Fig. "
+               "7, coupled against uncoupled law at 1.25 MPa:");
     page.write("![laws](tests/laws.svg)");
     page.show(bench::test_table(ours));
     page.write("## 2. All walls");
@@ -159,7 +156,7 @@ Page page_of(const fs::path& work)
                                    bench::level_statistics(spatial_large).front(),
                                    bench::level_statistics(independent).front()));
     page.show(bench::joint_inputs_table(joint_inputs));
-    page.write("Counterpart of Fig. 14, 100 walls as in the paper:");
+    page.write("As Fig. 14 of the paper, 100 walls:");
     page.show(bench::all_curves(spatial, "fig14"));
     page.write("## 5. What the paper leaves open");
     page.show(effects);
@@ -169,7 +166,7 @@ Page page_of(const fs::path& work)
     page.show(bench::numerical_scatter(
         discretisations,
         "the discretisation of the study, 7 contact points, 6 modes, all zones "
-        "of a block, and a drive 3 times as slow"));
+        "of a block, and a push 3 times as slow"));
     page.write("## 6. Where we differ, and why");
     const auto changed = [&](const char* file) {
         return bench::read_levels(work / "effects" / file);
@@ -195,7 +192,7 @@ Page page_of(const fs::path& work)
     page.write("Fig. 11, all 250 curves, and how walls of each mode end:");
     page.show(bench::all_curves(paper, "fig11"));
     page.show({bench::mechanisms(work / "paper.h5", paper)});
-    page.write("Fig. 12, what the peak force depends on:");
+    page.write("Fig. 12, peak force against the inputs:");
     page.show(bench::peaks_over_inputs(paper));
     page.write("Fig. 15, mean force over drift of each mode, with 16 and 84 % of the walls:");
     auto means = app::mean_curve_pictures(large);

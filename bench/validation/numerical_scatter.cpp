@@ -67,13 +67,11 @@ ScatterParts scatter_parts(std::span<const app::StudyWalls> studies, std::size_t
 app::Table numerical_scatter(std::span<const app::StudyWalls> studies, const std::string& names)
 {
     app::Table t;
-    t.caption =
-        "How much of the scatter of drops is numerical: the same walls under " + names +
-        ". Standard deviations of ln displacement at the fall to 80 % of the peak, of the "
-        "walls "
-        "that fell under all of them: of one wall over the discretisations, and of the walls "
-        "apart from that. One wall's drop is no sharper than the first; the scatter of a study "
-        "holds both.";
+    t.caption = "Numerical part of the scatter of drops, from the same walls under " + names +
+                ". The table has standard deviations of ln displacement at the fall to 80 % of "
+                "the peak, for the walls that fell under all of them: first of one wall over "
+                "the discretisations, then of the walls without this part. The drop of one "
+                "wall is known no better than the first; the scatter of a study includes both.";
     t.head = {"stress [MPa]",
               "walls",
               "one wall, numerical",

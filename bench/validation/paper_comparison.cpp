@@ -129,9 +129,10 @@ app::Table pooled_peaks(const OurLevels& ours)
     t.caption =
         "Mean peak force of all walls [kN]. Paper: its modes weighted by their shares. " +
         kSizes +
-        "Intervals are those of hypercubes, which know a mean of forces some four times better "
-        "than as many independent walls (theory.md, section 9). Ours less the paper's: with "
-        "the sampling of both, where the paper's is taken as that of our 50. "
+        "Intervals are those of hypercubes, whose mean force is some four times as exact as "
+        "that of as many independent walls (theory.md, section 9). The interval of ours less "
+        "the paper's includes the sampling of both; the paper's sampling is taken as that of "
+        "our 50. "
         "Wanted: within 5 %.";
     t.head = {"stress [MPa]",   "paper",      "ours, 50",        "ours, 500",
               "difference [%]", "within 5 %", "ours less paper", "beyond sampling"};
@@ -206,11 +207,10 @@ app::Table rocking_shares(const OurLevels& ours)
     app::Table t;
     t.caption =
         "Share of rocking walls [%], Wilson intervals of 95 %, as of independent walls. "
-        "Difference: ours less the paper's, percentage points, with the sampling of both as "
-        "hypercubes, which know a share about twice as well; where all walls rock Newcombe's "
-        "interval. "
-        "Slid: walls counted as rocking that slid along a course, whole. No drop: walls whose "
-        "load never fell to 80 % of its peak.";
+        "Difference: ours less the paper's, in percentage points; its interval includes the "
+        "sampling of both as hypercubes, whose shares are about twice as exact (where all "
+        "walls rock: Newcombe's interval). Slid: walls counted as rocking that slid along a "
+        "course as a whole. No drop: walls whose load never fell to 80 % of its peak.";
     t.head = {"stress [MPa]",    "paper",          "ours, 50",
               "ours, 500",       "difference, 50", "difference, 500",
               "beyond sampling", "slid, 500 [%]",  "no drop, 500 [%]"};
@@ -238,8 +238,8 @@ app::Table mixed_displacements(const OurLevels& ours)
     t.caption =
         "Displacement capacity of mixed-mode walls [mm], first fall to 80 % of the peak. " +
         kSizes +
-        "A wall of mixed mode that never falls that far counts with the end of its run, as "
-        "the paper must count it; the next column has the walls that fell alone. "
+        "A wall of mixed mode that never falls so far counts with the end of its run, as it "
+        "must in the paper; the last column has only the walls that fell. "
         "Wanted: within 15 %, COV from 0.25 to 0.5.";
     t.head = {"stress [MPa]", "paper",   "ours, 50", "ours, 500",      "difference [%]",
               "within 15 %",  "COV, 50", "COV, 500", "fell alone, 500"};
@@ -264,9 +264,9 @@ app::Table spatial_table(const LevelStatistics& per_wall, const LevelStatistics&
     app::Table t;
     t.caption =
         "Values per joint against values per wall at 0.75 MPa (Table 8), 500 walls each. "
-        "Stratified: as many values as joints, a Latin hypercube inside each wall, as "
-        "the paper's text reads. Independent: each joint by itself. Bilinear: force of the "
-        "equal-energy bilinear in place of the peak. [95 % intervals].";
+        "Stratified: a Latin hypercube over the joints of each wall, as the paper's text says. "
+        "Independent: each joint separately. Bilinear: force of the equal-energy bilinear "
+        "curve in place of the peak. [95 % intervals].";
     t.head = {"",
               "rocking [%]",
               "force, rocking [kN]",
@@ -304,7 +304,7 @@ app::Table test_table(const OurLevels& ours)
     app::Table t;
     t.caption =
         "Mean peak force of all walls against the mean of the tests [kN]; in brackets the "
-        "error against the tests [%]. Where the last column is above 3: section 6.";
+        "error against the tests [%]. Section 6 discusses values above 3 in the last column.";
     t.head = {"stress [MPa]", "tests", "paper", "ours, 500",
               "further off than the paper by [%]"};
     for (const TestMeans& test : kTestMeans) {
@@ -331,8 +331,8 @@ app::Table drifts_of_mean_curves(const app::StudyWalls& walls)
     t.caption =
         "Drift [%] at which the mean curves of Fig. 15 fall to 80 % of their peak, walls by "
         "the "
-        "paper's modes. >: the curve has not fallen so far where it ends, at the end of the "
-        "pushes or where a tenth of its walls is no longer pushed. The paper reads at least "
+        "paper's modes. >: the curve ends before it has fallen so far, at the end of the "
+        "pushes or when a tenth of its walls is no longer pushed. The paper reads at least "
         "2.5 % (rocking) and 1.5 % (mixed) off its curves.";
     t.head = {"stress [MPa]", "rocking", "mixed"};
     for (const app::StudyLevel& level : walls.levels) {

@@ -98,7 +98,7 @@ TEST_CASE("joint laws: sentences follow the numbers, and wait for their runs",
     runs.mean_checks = {{{"usual", study_of({11.0}, 40.0)}, {"slow", study_of({22.0}, 40.4)}}};
     const auto more = bench::findings(runs, tests);
     CHECK(more.size() == 3);
-    CHECK(says(more, "by up to 1.0 % and its 80 % drop by up to a factor of 2.00,"));
+    CHECK(says(more, "by up to 1.0 % and its 80 % drop by up to a factor of 2.00."));
 }
 
 TEST_CASE("joint laws: the numbers of the tests that are kept are those of the other pages",

@@ -26,7 +26,7 @@ constexpr Condition kJointsCrush{
     [](const Study& s) { return s.parameters.joint.crushing.strength > 0.0; },
     "joint.compressive_strength is none"};
 constexpr Condition kDryJoints{[](const Study& s) { return !has_mortar(s); },
-                               "joints with mortar do not wear; remove it", true};
+                               "the joints have mortar and do not wear; remove it", true};
 constexpr Condition kJointsWear{
     [](const Study& s) { return s.parameters.joint.wear_length > 0.0; },
     "joint.wear_length is none"};
@@ -57,7 +57,7 @@ constexpr std::array kClosures = {named("linear", dem::Closure::linear),
                                   named("exponential", dem::Closure::exponential)};
 constexpr Condition kDryOrLinear{
     [](const Study& s) { return !closes(s.parameters.joint) || !has_mortar(s); },
-    "joints with mortar do not close further; write linear, or remove it", true};
+    "the joints have mortar and do not close further; write linear, or remove it", true};
 constexpr Condition kJointsClose{[](const Study& s) { return closes(s.parameters.joint); },
                                  "joint.closure is linear"};
 constexpr Condition kFittedClosure{is_fitted_closure,

@@ -127,8 +127,8 @@ constexpr std::array kSolverKeys = {
         .meaning = "displacements visited in order; cyclic pushes change sign",
         .field = kAt<&Study::load, &LoadInput::targets>},
     Key{.name = "load.direction", .kind = Kind::word, .names = kDirections, .used = kToTheLeft,
-        .meaning = "side that the wall is pushed to; left mirrors the push; both: once to either side, of walls that"
-                   " the mirror makes another wall, else right; a study pushes right without the key, both only where it is written",
+        .meaning = "side to which the wall is pushed; left: the mirror image of a push to the right; both: a wall that is not symmetric is"
+                   " pushed to either side, a symmetric one to the right; a study without this key pushes right",
         .field = kAt<&Study::load, &LoadInput::direction>},
     Key{.name = "load.amplitudes", .kind = Kind::list, .unit = "mm", .range = {'(', 0, 1000, ']'},
         .derived = {"no cycles"},
@@ -173,14 +173,14 @@ constexpr std::array kSolverKeys = {
 
     Key{.name = "solver.fidelity", .kind = Kind::word, .names = kFidelities,
         .effect = kByFidelity,
-        .meaning = "rung of the ladder from rigid blocks to fine zones (docs/bench/accuracy/paper_walls.md)",
+        .meaning = "how finely blocks deform, from rigid blocks to fine zones (docs/bench/accuracy/paper_walls.md)",
         .field = kAt<&Study::fidelity>},
     Key{.name = "solver.kinematics", .kind = Kind::word, .names = kKinematics,
         .meaning = "small displacements (paper, section 2.1), or finite: blocks turn and slide by any"
                    " amount",
         .field = kAt<&Study::solver, &SolverOptions::kinematics>},
     Key{.name = "solver.accuracy", .unit = "%", .range = {'(', 0, 50, ']'},
-        .meaning = "error of forces and of limit displacements that you will bear; the drive finds the speed that holds it",
+        .meaning = "accepted error of forces and limit displacements; the program chooses the speed of the push by it",
         .field = kAt<&Study::solver, &SolverOptions::accuracy>},
     Key{.name = "solver.contact_points", .kind = Kind::count, .range = {'[', 2, 100, ']'},
         .derived = {"of fidelity", derive_contact_points},
@@ -209,7 +209,7 @@ constexpr std::array kSolverKeys = {
         .meaning = "time step as a share of the largest stable step",
         .field = kAt<&Study::solver, &SolverOptions::step_fraction>},
     Key{.name = "solver.steps_per_mm", .range = {'[', 1, 1e9, ']'},
-        .meaning = "fewest explicit steps per millimetre of the load line: the fastest that the drive may go",
+        .meaning = "fewest explicit steps per millimetre of the load line: the fastest speed of the push",
         .field = kAt<&Study::solver, &SolverOptions::steps_per_mm>},
     Key{.name = "solver.preload", .kind = Kind::word, .names = kPreloads,
         .meaning = "solved: the vertical load comes from the static solution; ramped: by a ramp",
@@ -221,12 +221,12 @@ constexpr std::array kSolverKeys = {
         .meaning = "unbalanced / applied load at which the vertical load counts as carried",
         .field = kAt<&Study::solver, &SolverOptions::preload_unbalance>},
     Key{.name = "solver.unbalance_limit", .range = {'[', 0, 1, ']'},
-        .meaning = "|top - base shear| above which the drive waits, as a share of the error borne, which is accuracy x the largest"
-                   " force so far; 0: a constant speed, by steps_per_mm",
+        .meaning = "|top - base shear| above which the push slows down,"
+                   " as a share of the accepted error (accuracy x the largest force so far); 0: a constant speed, by steps_per_mm",
         .field = kAt<&Study::solver, &SolverOptions::unbalance_limit>},
     Key{.name = "solver.min_speed", .range = {'(', 0, 1, ']'},
         .effect = kSlowingDrive,
-        .meaning = "slowest drive of a wall out of balance, as a share of its speed in balance",
+        .meaning = "slowest speed of a wall out of balance, as a share of its speed in balance",
         .field = kAt<&Study::solver, &SolverOptions::min_speed>},
     Key{.name = "solver.energy_tolerance", .range = {'(', 0, 1, ')'},
         .meaning = "largest energy residual; above it the step is halved; if that does not help, the wall has failed",

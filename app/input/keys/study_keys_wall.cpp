@@ -46,8 +46,9 @@ constexpr std::array kToes = {named("held", dem::Toe::held), named("free", dem::
 bool rigid_blocks(const Study& s) { return s.discretisation.block_modes == 3; }
 constexpr Condition kOfDrawing{[](const Study& s) { return !is_picture(s.geometry.file); },
                                "wall.geometry is a picture"};
-constexpr Condition kOfPolylines{[](const Study& s) { return has_polylines(s.geometry.file); },
-                                 "only polylines of DXF and SVG can be open"};
+constexpr Condition kOfPolylines{
+    [](const Study& s) { return has_polylines(s.geometry.file); },
+    "wall.geometry is no DXF or SVG: only their polylines can be open"};
 constexpr Condition kOfPicture{[](const Study& s) { return is_picture(s.geometry.file); },
                                "wall.geometry is no picture"};
 constexpr Condition kWhereDrawn{
@@ -74,14 +75,14 @@ constexpr Condition kBuiltOrGiven{[](const Study& s) {
 }};
 constexpr Condition kWithWholeUnits{
     [](const Study& s) { return kBuiltOrGiven.holds(s) && !s.geometry.rubble; },
-    "a drawn wall without wall.unit_length, and rubble, have no units that are known to be "
-    "whole"};
+    "no unit is known to be whole: the wall is of rubble, or drawn without wall.unit_length"};
 constexpr Condition kWithHeaders{
     [](const Study& s) { return kInCourses.holds(s) && s.wall.bond != dem::Bond::shifted; },
     "there are no headers; write wall.bond = english, flemish or header, or remove it", true};
 constexpr Condition kWithShiftedCourses{
     [](const Study& s) { return kInCourses.holds(s) && s.wall.bond == dem::Bond::shifted; },
-    "only units of running bond are drawn at random; write wall.bond = running, or remove it",
+    "the bond is not running, and only its units get random lengths; write wall.bond = "
+    "running, or remove it",
     true};
 constexpr Condition kRandomLayout{
     [](const Study& s) {
