@@ -187,7 +187,7 @@ std::string materials_page()
         "**Guess** marks our own assumptions, and values remembered from a source that was not "
         "at hand: compare them with your copy, and your copy with the wall.\n"
         "*Paper*: \"In-Plane Structural Performance of Dry-Joint Stone Masonry Walls\" "
-        "(README, References).\n";
+        "(docs/theory.md, References).\n";
     for (const MaterialPreset& preset : kMaterialPresets) {
         page += "\n## " + std::string(preset.name) + "\n" + std::string(preset.meaning) +
                 ".\n\n| key | value | source |\n|---|---|---|\n";
