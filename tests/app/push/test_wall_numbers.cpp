@@ -81,18 +81,19 @@ TEST_CASE(
     "wall numbers: forces and stiffness of a model as large as a hand are not rounded away",
     "[app][wall_numbers]")
 {
-    const auto text = [](const char* name, double si) {
-        return app::cell_text(app::number_cell(wall_number(name), si));
+    const auto text = [](const app::WallNumber& n, double si) {
+        return app::cell_text(app::number_cell(n, si));
     };
-    CHECK(text("peak_force", 46.91e3) == "46.91");
-    CHECK(text("peak_force", 120.0) == "0.12");
-    CHECK(text("peak_force", 7.06) == "0.0071");
-    CHECK(text("peak_force", 0.1766) == "0.00018");
-    CHECK(text("peak_force", -0.1766) == "-0.00018");
-    CHECK(text("peak_force", 4e-9) == "0.00"); // rounding of a sum
-    CHECK(text("peak_force", 0.0) == "0.00");
-    CHECK(text("secant_stiffness", 7063.0) == "0.0071");
-    CHECK(text("settlement", 3.6e-9) == app::fixed(0.0, wall_number("settlement").decimals));
+    CHECK(text(wall_number("peak_force"), 46.91e3) == "46.91");
+    CHECK(text(wall_number("peak_force"), 120.0) == "0.12");
+    CHECK(text(wall_number("peak_force"), 7.06) == "0.0071");
+    CHECK(text(wall_number("peak_force"), 0.1766) == "0.00018");
+    CHECK(text(wall_number("peak_force"), -0.1766) == "-0.00018");
+    CHECK(text(wall_number("peak_force"), 4e-9) == "0.00"); // rounding of a sum
+    CHECK(text(wall_number("peak_force"), 0.0) == "0.00");
+    CHECK(text(wall_number("secant_stiffness"), 7063.0) == "0.0071");
+    CHECK(text(wall_number("settlement"), 3.6e-9) ==
+          app::fixed(0.0, wall_number("settlement").decimals));
 }
 
 TEST_CASE("wall numbers: a wall that came down before it was pushed has no solver error",
