@@ -11,10 +11,12 @@
 #include "app/input/wall/joint_laws.hpp"
 #include "app/input/wall/wall_geometry.hpp"
 #include "app/text/number_text.hpp"
+#include "app/text/words.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <filesystem>
 #include <string_view>
 
 namespace app {
@@ -115,6 +117,25 @@ Study read_study(const std::string& path, std::span<const std::string> overrides
 
 namespace {
 
+/// Files of records by their whole paths: the text may be read from another folder. A path that
+/// would not be read back as it is stays as given.
+std::string with_whole_paths(const std::string& records, const std::string& study_path)
+{
+    namespace fs = std::filesystem;
+    bool any = false;
+    std::string text;
+    for (const std::string& part : split_outside_brackets(records)) {
+        std::error_code error;
+        const fs::path file = fs::path(study_path).parent_path() / part;
+        std::string path = fs::absolute(file, error).lexically_normal().string();
+        const bool is_whole = !part.empty() && fs::is_regular_file(file, error) &&
+                              path.find_first_of("#;,()\"") == std::string::npos;
+        any = any || is_whole;
+        text += (text.empty() ? "" : ", ") + (is_whole ? path : part);
+    }
+    return any ? text : records;
+}
+
 /// A study stands alone: what was read from a drawing, or found out, stands in it.
 std::string written_value(const Key& key, const Entry* entry, const Study& study)
 {
@@ -124,6 +145,8 @@ std::string written_value(const Key& key, const Entry* entry, const Study& study
     }
     if (key.name == "unit.cracks_where") return study.cracks.where;
     if (key.name == "fragility.codes" && entry != nullptr) return study.fragility.codes;
+    if (entry != nullptr && (key.name == "shaking.records" || key.name == "shaking.vertical"))
+        return with_whole_paths(entry->value, study.source.path);
     if (!study.load.scaled.empty()) {
         if (key.name == "load.protocol_scale") return "given";
         if (key.name == "load.max_displacement") return value_text(key, study);

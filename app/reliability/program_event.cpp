@@ -13,17 +13,18 @@
 namespace app {
 namespace {
 
-/// Words between blanks; quotes hold blanks together.
+/// Words between blanks; quotes, single or double, hold blanks together.
 std::vector<std::string> words_of(const StudyFile& file, const std::string& text)
 {
     std::vector<std::string> words;
     std::string word;
-    bool quoted = false, any = false;
+    char quote = 0; // that is open
+    bool any = false;
     for (const char c : text) {
-        if (c == '"') {
-            quoted = !quoted;
+        if (quote == 0 ? c == '"' || c == '\'' : c == quote) {
+            quote = quote == 0 ? c : '\0';
             any = true;
-        } else if ((c == ' ' || c == '\t') && !quoted) {
+        } else if ((c == ' ' || c == '\t') && quote == 0) {
             if (any) words.push_back(std::exchange(word, {}));
             any = false;
         } else {
@@ -31,7 +32,7 @@ std::vector<std::string> words_of(const StudyFile& file, const std::string& text
             any = true;
         }
     }
-    if (quoted) throw error_at(file, "model.command", "a quote is not closed");
+    if (quote != 0) throw error_at(file, "model.command", "a quote is not closed");
     if (any) words.push_back(word);
     return words;
 }

@@ -71,8 +71,6 @@ Json asked_level(const SurrogateStudy& s, std::size_t level, Json j)
     return j;
 }
 
-bool predicts(const LevelSurrogate& l) { return l.chaos || l.process; }
-
 } // namespace
 
 Json whatif_json(const StudyWalls& study)

@@ -21,27 +21,17 @@ namespace {
 /// A wall whose top moves less in a second after the record has come to its residual drift [-].
 constexpr double kQuietDrift = 1e-4; // choice: a twentieth of the least limit of residual drift
 
-std::string stripped_text(const std::string& text)
+/// A file from the folder of the study. A study that was stored names it by its whole path, and
+/// both may have moved together.
+std::filesystem::path record_path(const StudyFile& file, const std::string& text)
 {
-    const std::size_t first = text.find_first_not_of(" \t");
-    if (first == std::string::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
-/// Parts between commas that stand in no brackets.
-std::vector<std::string> parts_of(const std::string& text)
-{
-    std::vector<std::string> parts(1);
-    int depth = 0;
-    for (const char c : text) {
-        depth += c == '(' ? 1 : c == ')' ? -1 : 0;
-        if (c == ',' && depth == 0)
-            parts.emplace_back();
-        else
-            parts.back() += c;
-    }
-    for (std::string& p : parts) p = stripped_text(p);
-    return parts;
+    const std::filesystem::path folder = std::filesystem::path(file.path).parent_path();
+    const std::filesystem::path there = folder / text, beside = folder / there.filename();
+    std::error_code error;
+    const bool moved = std::filesystem::path(text).is_absolute() &&
+                       !std::filesystem::exists(there, error) &&
+                       std::filesystem::exists(beside, error);
+    return moved ? beside : there;
 }
 
 std::vector<ground::GroundMotion> motions_of(const StudyFile& file, const char* key,
@@ -54,7 +44,7 @@ std::vector<ground::GroundMotion> motions_of(const StudyFile& file, const char* 
     if (ground::is_pulse(text))
         return read_at(file, key,
                        [&] { return std::vector<ground::GroundMotion>{ground::pulse(text)}; });
-    const std::string path = (std::filesystem::path(file.path).parent_path() / text).string();
+    const std::string path = record_path(file, text).string();
     try {
         std::vector<ground::GroundMotion> all;
         for (ground::Record& r : ground::read_records(path)) {
@@ -74,9 +64,10 @@ std::vector<double> intensities_of(const Study& study, const ground::Measure& me
     std::vector<double> all;
     if (study.shaking.intensities.empty()) return all;
     const std::string unit(measure_unit(measure));
-    for (std::string part : parts_of(study.shaking.intensities)) {
+    for (std::string part : split_outside_brackets(study.shaking.intensities)) {
         if (part.ends_with(unit))
-            part = stripped_text(part.substr(0, part.size() - unit.size()));
+            part = std::string(
+                trimmed(std::string_view(part).substr(0, part.size() - unit.size())));
         const double x = read_at(study.source, kKey, [&] { return parse_quantity(part, ""); });
         if (x <= 0.0)
             throw error_at(study.source, kKey, "must be above 0; write e.g. 0.1, 0.2 " + unit);
@@ -127,7 +118,7 @@ ShakingRecords shaking_records(const Study& study)
     std::optional<ground::GroundMotion> vertical;
     if (given.vertical != "none")
         vertical = motions_of(file, "shaking.vertical", given.vertical).front();
-    for (const std::string& part : parts_of(given.records))
+    for (const std::string& part : split_outside_brackets(given.records))
         for (ground::GroundMotion& m : motions_of(file, "shaking.records", part)) {
             ShakingRecord r;
             r.own = intensity(m, all.measure);

@@ -23,7 +23,7 @@
 namespace app {
 namespace {
 
-std::string kilonewtons(double force) { return fixed(force * 1e-3, 1) + " kN"; }
+std::string kilonewtons(double force) { return never_rounded_away(force * 1e-3, 1) + " kN"; }
 
 std::string millimetres(double distance) { return fixed(distance * 1e3, 1) + " mm"; }
 

@@ -48,7 +48,8 @@ int surrogate_command(const Command& command)
          {surrogate_table(s), surrogate_index_table(s), surrogate_mode_table(s)})
         std::cout << t.title << "\n" << as_text(t, width) << "\n";
     std::cout << wrapped(surrogate_remarks(s), width) << "written to " << command.out
-              << "; surrogate.json there predicts walls that were never run\n";
+              << (predicts(s) ? "; surrogate.json there predicts walls that were never run\n"
+                              : "; surrogate.json there predicts no wall: see above\n");
     return 0;
 }
 

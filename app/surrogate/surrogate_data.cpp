@@ -18,8 +18,7 @@ const WallNumber& surrogate_response(std::string_view name)
         names.push_back(r.name);
     }
     throw ConfigError("drystone", 0, "--of",
-                      in_quotes(name) + " is no response; " + suggestion(name, names) + " (" +
-                          listed(names) + ")");
+                      in_quotes(name) + " is no response; " + suggestion(name, names));
 }
 
 std::vector<std::size_t> surrogate_inputs(const StudyWalls& walls)

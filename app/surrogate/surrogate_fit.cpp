@@ -1,6 +1,7 @@
 #include "app/surrogate/surrogate_fit.hpp"
 
 #include "app/text/number_text.hpp"
+#include "app/text/words.hpp"
 #include "uq/estimates/two_heaps.hpp"
 #include "uq/sensitivity/hsic.hpp"
 #include "uq/sensitivity/rank_index.hpp"
@@ -138,8 +139,9 @@ LevelSurrogate fit_surrogate(SurrogatePoints points,
     s.points = std::move(points);
     const Eigen::Index n = s.points.y.size();
     if (n < static_cast<Eigen::Index>(kFewestSurrogateWalls))
-        s.doubts.push_back("Only " + std::to_string(n) +
-                           " walls have the response; a surrogate needs at least " +
+        s.doubts.push_back("Only " +
+                           counted(static_cast<std::size_t>(n), "wall has", "walls have") +
+                           " the response; a surrogate needs at least " +
                            std::to_string(kFewestSurrogateWalls) + ".");
     else if (!varies(s.points.y))
         s.doubts.emplace_back(

@@ -53,6 +53,9 @@ struct LevelSurrogate {
     std::vector<GivenData> given; ///< of each input; empty: too few walls, or no response
 };
 
+/// Whether there is a surrogate, to be trusted or not.
+[[nodiscard]] inline bool predicts(const LevelSurrogate& l) { return l.chaos || l.process; }
+
 /// @param dependent inputs depend on each other, by the study
 [[nodiscard]] LevelSurrogate fit_surrogate(SurrogatePoints points,
                                            const std::vector<uq::PolynomialFamily>& families,

@@ -31,6 +31,9 @@ struct SurrogateStudy {
                                              const WallNumber& response,
                                              std::size_t most = kMostSurrogateWalls);
 
+/// Whether the response or the mode can be predicted under any stress.
+[[nodiscard]] bool predicts(const SurrogateStudy& s);
+
 /// Rows by stress and kind of surrogate: walls, Q2, RMSE, whether it is the better one and is
 /// to be trusted.
 [[nodiscard]] Table surrogate_table(const SurrogateStudy& s);

@@ -175,6 +175,15 @@ std::string surrogate_picture(const SurrogateStudy& s, const LevelSurrogate& l)
     return line_chart(c);
 }
 
+std::string first_named(const SurrogateStudy& s, const std::vector<WallKey>& walls)
+{
+    const std::string more =
+        walls.size() > kNamedWalls
+            ? " and " + std::to_string(walls.size() - kNamedWalls) + " more"
+            : "";
+    return named(*s.walls, walls, kNamedWalls) + more;
+}
+
 std::string left_out_text(const SurrogateStudy& s, const LevelSurrogate& l)
 {
     std::string text;
@@ -182,13 +191,14 @@ std::string left_out_text(const SurrogateStudy& s, const LevelSurrogate& l)
     if (!l.points.without.empty())
         text += at + counted(l.points.without.size(), "wall has", "walls have") + " no " +
                 words(*s.response) + " and " + (l.points.without.size() == 1 ? "is" : "are") +
-                " left out: " + named(*s.walls, l.points.without, kNamedWalls) + "\n";
+                " left out: " + first_named(s, l.points.without) + "\n";
     if (!l.points.bounds.empty())
         text += at + counted(l.points.bounds.size(), "wall outlasts", "walls outlast") +
                 " the push, so that only a bound of the " + words(*s.response) +
                 " is known, and " + (l.points.bounds.size() == 1 ? "is" : "are") +
-                " left out: " + named(*s.walls, l.points.bounds, kNamedWalls) +
-                ". What is learned holds for the others; push further to keep them.\n";
+                " left out: " + first_named(s, l.points.bounds) + ". " +
+                (predicts(l) ? "What is learned holds for the others; push" : "Push") +
+                " further to keep them.\n";
     if (l.points.failed > 0)
         text += at + counted(l.points.failed, "wall", "walls") + " failed and " +
                 (l.points.failed == 1 ? "is" : "are") + " left out.\n";
@@ -196,6 +206,12 @@ std::string left_out_text(const SurrogateStudy& s, const LevelSurrogate& l)
         text += at + "learned from the first " + std::to_string(l.points.sample.size()) +
                 " walls; " + std::to_string(l.points.beyond) + " more are in the file.\n";
     return text;
+}
+
+bool predicts(const SurrogateStudy& s)
+{
+    return std::ranges::any_of(s.levels, [](const LevelSurrogate& l) { return predicts(l); }) ||
+           std::ranges::any_of(s.modes, [](const ModeSurrogate& m) { return m.none.empty(); });
 }
 
 std::string surrogate_remarks(const SurrogateStudy& s)

@@ -27,6 +27,21 @@ std::vector<std::string_view> split(std::string_view text, std::string_view by)
     }
 }
 
+std::vector<std::string> split_outside_brackets(std::string_view text)
+{
+    std::vector<std::string> parts(1);
+    int depth = 0;
+    for (const char c : text) {
+        depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+        if (c == ',' && depth == 0)
+            parts.emplace_back();
+        else
+            parts.back() += c;
+    }
+    for (std::string& p : parts) p = std::string(trimmed(p));
+    return parts;
+}
+
 std::string in_quotes(std::string_view text)
 {
     constexpr std::size_t kLongest = 60; // [bytes]

@@ -15,6 +15,9 @@ namespace app {
 /// The parts of the text between occurrences of `by`, trimmed; empty parts are kept.
 [[nodiscard]] std::vector<std::string_view> split(std::string_view text, std::string_view by);
 
+/// The parts of the text between commas that stand in no brackets, trimmed.
+[[nodiscard]] std::vector<std::string> split_outside_brackets(std::string_view text);
+
 /// The text in double quotes, on one line: control characters become '?', a long text is cut.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 

@@ -122,6 +122,34 @@ TEST_CASE("record: gaps, doubled and unequal times are refused at their line",
     CHECK(read(rounded)[0].motion.step == Approx(0.0025).epsilon(2e-3));
 }
 
+TEST_CASE("record: columns of another quantity or unit are refused, not read in g",
+          "[ground][record]")
+{
+    const std::string rows = "0.00 0.1\n0.01 0.2\n0.02 -0.3\n";
+    const auto refused = [&](const std::string& head, const std::string& why,
+                             const ground::ReadOptions& options = {}) {
+        INFO(head);
+        CHECK_THROWS_WITH(read("Station A\n" + head + "\n\n" + rows, options),
+                          StartsWith("r.txt:2: ") && Contains(why));
+    };
+    refused("time [s], velocity [cm/s]", "no acceleration; give the record of the accel");
+    refused("Time (s)  Displacement (cm)", "no acceleration");
+    refused("time [ms]; acc [m/s2]", "the times are in ms; convert them to s");
+    refused("time [s]; acc [mg]", "\"mg\" is no unit of acceleration; use g, m/s2");
+    refused("time [ms]; acc [mg]", "the times are in ms", {"g"});
+    CHECK(read("time [s]; acc [mg]\n" + rows, {"m/s2"})[0].motion.acceleration[1] == 0.2);
+    // titles, and names that say nothing of units
+    for (const std::string head : {"Velocity pulse, station (Foo)", "time [s], accel",
+                                   "Time (sec) Acc (g)", "time, acceleration", "time [s]"}) {
+        INFO(head);
+        CHECK(read(head + "\n" + rows)[0].motion.acceleration[1] == Approx(0.2 * 9.80665));
+    }
+    CHECK_THROWS_WITH(read("t;a\n0,00;0,1\n0,01;0,2\n"),
+                      StartsWith("r.txt:2: decimal commas; write points"));
+    CHECK_THROWS_WITH(read("1 2 3 4 5 6 7 8\n1 2 3 4 5 6 7 8\n"),
+                      StartsWith("r.txt:1: 8 columns") && Contains("a line such as \"NPTS="));
+}
+
 TEST_CASE("record: units are read, told or refused, never guessed where they matter",
           "[ground][record]")
 {

@@ -95,7 +95,10 @@ std::string allowed_values(const Key& key)
 
 std::vector<double> parse_value(const Key& key, std::string_view text)
 {
-    if (key.kind == Kind::text) return {text.begin(), text.end()};
+    if (key.kind == Kind::text) {
+        if (text == "none" && key.derived.rule == text) return {}; // the default, written out
+        return {text.begin(), text.end()};
+    }
     for (const Named& n : key.names) {
         if (text == n.word) return {n.value};
     }

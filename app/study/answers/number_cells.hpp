@@ -7,6 +7,8 @@
 #include "app/study/answers/fragility_text.hpp"
 #include "fragility/curve/drift.hpp"
 
+#include <cmath>
+
 namespace app {
 
 /// "peak [kN]"
@@ -15,10 +17,17 @@ namespace app {
     return {head_text(n), holds};
 }
 
-/// A value in SI, as the number is shown.
+/// A value in SI, as the number is shown. Forces and stiffness of small walls get up to four
+/// more decimals, two digits behind the zeros; anything smaller is rounding.
 [[nodiscard]] inline Number number_cell(const WallNumber& n, double si)
 {
-    return plain_number(si * n.unit.scale, n.decimals);
+    constexpr int kMore = 3;
+    const double shown = si * n.unit.scale;
+    const bool grows = n.unit.name == kForceUnit.name || n.unit.name == kStiffnessUnit.name;
+    int decimals = n.decimals;
+    if (grows && std::abs(shown) >= std::pow(10.0, -(n.decimals + kMore)))
+        while (std::abs(shown) < std::pow(10.0, 1 - decimals)) ++decimals;
+    return plain_number(shown, decimals);
 }
 
 /// @param holds with kCensored a bound gets a ">"

@@ -86,7 +86,8 @@ WallSource source_of(const PushedWall& w, const WallReading& reading)
 
 double solver_error(const PushedWall& w)
 {
-    return dem::failed(w.result.outcome) ? kNoNumber : w.result.solver_error;
+    const bool no_peak = dem::failed(w.result.outcome) || came_down_at_once(w);
+    return no_peak ? kNoNumber : w.result.solver_error;
 }
 
 bool came_down_at_once(const PushedWall& w)

@@ -44,7 +44,7 @@ struct PushedWall {
 [[nodiscard]] WallSource source_of(const PushedWall& wall, const WallReading& reading);
 
 /// Estimated error of the peak force by the speed of the drive [-], >= 0; NaN where the run
-/// gave no result.
+/// gave no result, or the wall came down before it was pushed.
 [[nodiscard]] double solver_error(const PushedWall& wall);
 
 /// Whether a wall was lost under its vertical load, or before its curve had a second point: it

@@ -9,6 +9,7 @@
 #include "app/text/words.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 #include <sstream>
@@ -17,15 +18,18 @@
 namespace app {
 namespace {
 
-/// The configuration has the scale that was found, the identity that it was looked for.
-constexpr std::string_view kFoundOut = "load.protocol_scale";
+/// The configuration has the scale that was found, and whole paths of records; the identity has
+/// what was given. Records have a sum of their own in it.
+constexpr std::array<std::string_view, 3> kFoundOut = {"load.protocol_scale", "shaking.records",
+                                                       "shaking.vertical"};
 
 std::string without_found_out(const std::string& identity)
 {
     std::string text;
     std::istringstream in(identity);
     for (std::string line; std::getline(in, line);)
-        if (trimmed(std::string_view(line).substr(0, line.find('='))) != kFoundOut)
+        if (std::ranges::count(kFoundOut,
+                               trimmed(std::string_view(line).substr(0, line.find('=')))) == 0)
             text += line + "\n";
     return text;
 }

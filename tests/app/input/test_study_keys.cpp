@@ -45,6 +45,21 @@ TEST_CASE("study keys: names differ, and the keys of a section stand together",
     }
 }
 
+TEST_CASE("study keys: a text whose default is none takes \"none\"", "[app][study_keys]")
+{
+    int many = 0;
+    for (const Key& key : study_keys()) {
+        if (key.kind != app::Kind::text || key.derived.rule != "none") continue;
+        INFO(key.name);
+        ++many;
+        app::Study study;
+        key.field.set(study, app::parse_value(key, "none"));
+        CHECK(key.field.get(study) == key.field.get(app::Study()));
+        CHECK(app::parse_value(key, "nones").size() == 5);
+    }
+    CHECK(many >= 6);
+}
+
 TEST_CASE("study keys: each key has its own place in the study", "[app][study_keys]")
 {
     const app::Study initial;

@@ -2,10 +2,13 @@
 
 #include "app/output/table/table.hpp"
 #include "app/study/answers/number_cells.hpp"
+#include "app/study/pushed/pushed_wall.hpp"
+#include "app/text/number_text.hpp"
 #include "scenes/temporary_folder.hpp"
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <set>
 #include <string>
 
@@ -72,6 +75,36 @@ TEST_CASE("wall numbers: a bound is marked where the column holds bounds",
     CHECK(text(wall_number("ultimate_drift"), 0) == "0.50");
     CHECK(text(wall_number("peak_force"), 0) == "50.00");
     CHECK(text(wall_number("secant_stiffness"), app::kCensored).empty());
+}
+
+TEST_CASE(
+    "wall numbers: forces and stiffness of a model as large as a hand are not rounded away",
+    "[app][wall_numbers]")
+{
+    const auto text = [](const app::WallNumber& n, double si) {
+        return app::cell_text(app::number_cell(n, si));
+    };
+    CHECK(text(wall_number("peak_force"), 46.91e3) == "46.91");
+    CHECK(text(wall_number("peak_force"), 120.0) == "0.12");
+    CHECK(text(wall_number("peak_force"), 7.06) == "0.0071");
+    CHECK(text(wall_number("peak_force"), 0.1766) == "0.00018");
+    CHECK(text(wall_number("peak_force"), -0.1766) == "-0.00018");
+    CHECK(text(wall_number("peak_force"), 4e-9) == "0.00"); // rounding of a sum
+    CHECK(text(wall_number("peak_force"), 0.0) == "0.00");
+    CHECK(text(wall_number("secant_stiffness"), 7063.0) == "0.0071");
+    CHECK(text(wall_number("settlement"), 3.6e-9) ==
+          app::fixed(0.0, wall_number("settlement").decimals));
+}
+
+TEST_CASE("wall numbers: a wall that came down before it was pushed has no solver error",
+          "[app][wall_numbers]")
+{
+    app::PushedWall w;
+    w.result.outcome = dem::Outcome::lost_equilibrium;
+    w.result.solver_error = 0.0;
+    CHECK(std::isnan(app::solver_error(w)));
+    w.displacement = {0.0, 1e-3};
+    CHECK(app::solver_error(w) == 0.0);
 }
 
 TEST_CASE("wall numbers: a fact that no file holds is refused, not invented",

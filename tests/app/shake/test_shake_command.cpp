@@ -104,6 +104,23 @@ TEST_CASE("shake command: a pulse gives a history whose largest drift the summar
         CHECK(fs::exists(folder.path / "out" / name));
 }
 
+TEST_CASE("shake command: the study that is written finds the records again", "[app][shake]")
+{
+    const ShakeFolder folder;
+    std::ofstream(folder.path / "wave.txt") << "0.00 0\n0.05 0.3\n0.10 0\n0.15 -0.3\n0.20 0\n";
+    REQUIRE(folder.shake("[load]\nvertical_stress = 0.10 MPa\nmass = none\n[shaking]\n"
+                         "records = wave.txt\n") == 0);
+    const std::string first = folder.text("history.csv");
+    app::Command c;
+    c.study = (folder.path / "out" / "study.ini").string();
+    c.words = {c.study};
+    c.out = (folder.path / "out" / "again").string();
+    c.quiet = true;
+    const scenes::Terminal terminal;
+    REQUIRE(app::shake_command(c) == 0);
+    CHECK(folder.text("again/history.csv") == first);
+}
+
 TEST_CASE("shake command: intensities scale each record by the measure", "[app][shake]")
 {
     const app::Study study =

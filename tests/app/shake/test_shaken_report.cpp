@@ -35,14 +35,17 @@ samples = 2
 struct ShakenReport {
     fs::path folder;
 
-    explicit ShakenReport(fs::path in) : folder(std::move(in))
+    std::string results = "s.h5"; ///< from the folder
+
+    explicit ShakenReport(fs::path in, std::string out = "s.h5")
+        : folder(std::move(in)), results(std::move(out))
     {
         std::ofstream(folder / "study.ini") << study_texts::kShakenWall << kShaking;
         wave(1.0);
         app::Command c;
         c.study = (folder / "study.ini").string();
         c.words = {c.study};
-        c.out = (folder / "s.h5").string();
+        c.out = (folder / results).string();
         c.quiet = true;
         const scenes::Terminal terminal;
         REQUIRE(app::shake_study_command(c) == 0);
@@ -55,7 +58,7 @@ struct ShakenReport {
     [[nodiscard]] std::string page() const
     {
         app::Command c;
-        c.words = {(folder / "s.h5").string()};
+        c.words = {(folder / results).string()};
         c.out = (folder / "s.html").string();
         c.quiet = true;
         {
@@ -106,6 +109,23 @@ TEST_CASE("shaken report: records that are gone or others leave out the films, a
     const std::string page = report.page();
     CHECK_THAT(page, Contains("No films: ") && Contains("wave.txt"));
     CHECK(count_of(page, "<img src=") == 2 * 4);
+}
+
+TEST_CASE("shaken report: records are found from results in another folder, and beside results "
+          "that have moved with them",
+          "[app][report]")
+{
+    const scenes::TemporaryFolder folder;
+    fs::create_directories(folder.path / "study" / "runs");
+    ShakenReport report(folder.path / "study", "runs/s.h5");
+    CHECK_THAT(report.page(), !Contains("No films: "));
+    const fs::path moved = folder.path / "moved";
+    fs::create_directories(moved);
+    for (const char* const name : {"runs/s.h5", "wave.txt"})
+        fs::rename(report.folder / name, moved / fs::path(name).filename());
+    report.folder = moved;
+    report.results = "s.h5";
+    CHECK_THAT(report.page(), !Contains("No films: "));
 }
 
 TEST_CASE("shaken report: what a study says stands in the page as text", "[app][report]")

@@ -1,6 +1,7 @@
 #include "app/store/continued_head.hpp"
 #include "app/store/merge.hpp"
 #include "app/store/store.hpp"
+#include "app/store/store_reader.hpp"
 
 #include "tests/app/store/memory_folder.hpp"
 #include "tests/app/store/store_scene.hpp"
@@ -153,6 +154,21 @@ TEST_CASE("merge: what makes two studies differ is shown once", "[app][merge]")
     CHECK(words.find("seed = 2") == words.rfind("seed = 2"));
     CHECK(app::text_difference("a\n", std::string(1'000'000, 'b')) ==
           "- a\n+ " + std::string(298, 'b') + " ...\n");
+}
+
+TEST_CASE("merge: records may stand in another folder on each machine", "[app][merge]")
+{
+    const scenes::MemoryFolder folder, other;
+    app::StoreHead head = store_head(kSamples);
+    const std::string before = head.configuration;
+    head.configuration = before + "records                 = /one/a.txt\n";
+    const fs::path first = shard(folder.path, 0, 2, head);
+    head.configuration = before + "records                 = /two/a.txt\n";
+    app::merge(folder.path / "all.h5", {first, shard(folder.path, 1, 2, head)});
+    CHECK_THAT(app::read_head(folder.path / "all.h5").configuration, Contains("/one/a.txt"));
+    head.configuration = before + "scale                   = 2\n";
+    CHECK_THAT(refusal(folder.path / "no.h5", {first, shard(other.path, 1, 2, head)}),
+               Contains("+ scale                   = 2"));
 }
 
 TEST_CASE("merge: a wall in two shards is refused", "[app][merge]")

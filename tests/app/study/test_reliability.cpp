@@ -101,6 +101,31 @@ TEST_CASE("reliability: of another program, R - S has beta = sqrt 2 and equal sh
     CHECK(a.failed.empty());
 }
 
+TEST_CASE("reliability: single and double quotes hold the words of a command together",
+          "[app][reliability]")
+{
+    const Script script;
+    const std::string path = script.path.string();
+    const auto form_of = [](const std::string& command) {
+        const app::StudyFile file = app::parse_study_text(
+            "external.ini",
+            "[model]\ncommand = " + command +
+                "\nresponses = g\n[variables]\nr = normal(mean 4, sd 1)\n"
+                "s = normal(mean 2, sd 1)\n[reliability]\nmethod = form\ndemand = 0\n");
+        std::vector<uq::Evaluated> seen;
+        return answer(program_event(app::read_program_study(file), 2), seen);
+    };
+    for (const std::string& command :
+         {"sh -c '" + path + " \"$0\"' {input}", "sh -c \"" + path + " '{input}'\""}) {
+        INFO(command);
+        const ReliabilityAnswer a = form_of(command);
+        REQUIRE(a.methods.front().probability);
+        CHECK(*a.methods.front().probability == Approx(7.864960352514e-2).epsilon(1e-7));
+    }
+    CHECK_THROWS_WITH(form_of("sh -c '" + path),
+                      Catch::Matchers::Contains("a quote is not closed"));
+}
+
 TEST_CASE("reliability: correlated variables of another program, R - S with rho = 0.5",
           "[app][reliability]")
 {

@@ -323,6 +323,31 @@ TEST_CASE("surrogate: a spatial study in which no wall has the response says so"
               "Only 0 walls have the response; a surrogate needs at least 10."});
 }
 
+TEST_CASE("surrogate: nothing is said to be learned where no wall can be predicted",
+          "[app][surrogate]")
+{
+    using Catch::Matchers::Contains;
+    StudyWalls walls = smooth_walls(9);
+    for (StudyWall& w : walls.levels.front().walls) {
+        w.reading.mode = dem::FailureMode::sliding;
+        w.reading.peak->at_end = w.key.sample > 0;
+    }
+    const SurrogateStudy s = surrogate_study(walls, surrogate_response("peak_force"));
+    CHECK(!predicts(s));
+    CHECK(s.levels.front().doubts ==
+          std::vector<std::string>{
+              "Only 1 wall has the response; a surrogate needs at least 10."});
+    CHECK_THAT(surrogate_remarks(s),
+               Contains(" sample 5 and 3 more. Push further to keep them.") &&
+                   !Contains("What is learned"));
+    walls = smooth_walls(60);
+    walls.levels.front().walls.front().reading.peak->at_end = true;
+    const SurrogateStudy learned = surrogate_study(walls, surrogate_response("peak_force"));
+    CHECK(predicts(learned));
+    CHECK_THAT(surrogate_remarks(learned),
+               Contains(" sample 0. What is learned holds for the others; push further"));
+}
+
 TEST_CASE(
     "surrogate: walls that stand there twice are learned from, walls without a number are "
     "named and left out",
