@@ -8,6 +8,7 @@
 #include "app/store/wall_file.hpp"
 
 #include <algorithm>
+#include <iomanip>
 #include <iterator>
 #include <map>
 #include <set>
@@ -58,13 +59,21 @@ StoreHead whole(StoreHead head)
     return head;
 }
 
+/// All digits that a stress in pascals has.
+std::string megapascals(double stress)
+{
+    std::ostringstream text;
+    text << std::setprecision(15) << 1e-6 * stress << " MPa";
+    return text.str();
+}
+
 /// All that must be equal among shards beside the study, line by line.
 std::string plan_text(const StoreHead& head)
 {
     std::string text = "design grown through";
     for (const std::uint32_t size : head.design_sizes) text += " " + std::to_string(size);
     for (const StoreLevel& level : head.levels)
-        text += "\nlevel of " + std::to_string(level.vertical_stress) + " Pa, " +
+        text += "\nlevel of " + megapascals(level.vertical_stress) + ", " +
                 std::to_string(level.samples) + (level.samples == 1 ? " sample" : " samples") +
                 (level.slower > 1 ? ", pushed again more slowly" : "") +
                 (level.turned ? ", pushed the other way" : "");

@@ -204,8 +204,8 @@ TEST_CASE("merge: shards of different studies are refused and the difference is 
     SECTION("configuration") { head.configuration += "[x]\n", words = "+ [x]"; }
     SECTION("seed") { head.seed = 7, words = "+ seed = 7"; }
     SECTION("column") { head.counts.pop_back(), words = "- count cracked_units"; }
-    SECTION("samples") { head.levels[2].samples++, words = "+ level of 1250000"; }
-    SECTION("stress") { head.levels[2].vertical_stress = 1e6, words = "+ level of 1000000"; }
+    SECTION("samples") { head.levels[2].samples++, words = "+ level of 1.25 MPa"; }
+    SECTION("stress") { head.levels[2].vertical_stress = 1e6, words = "+ level of 1 MPa"; }
     SECTION("design") { head.design_sizes = {10, 20}, words = "+ design grown through 10 20"; }
     SECTION("precision") { head.single_precision_curves = true, words = "precision yes"; }
     const std::vector<fs::path> files{shard(folder.path, 0, 2, store_head(kSamples)), [&] {
