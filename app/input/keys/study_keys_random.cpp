@@ -101,8 +101,7 @@ constexpr Condition kMultiFidelity{
     "reliability.method is not multi_fidelity"};
 constexpr Condition kActive{
     [](const Study& s) { return s.reliability.method == ReliabilityMethod::active; },
-    "reliability.method is not active, which alone finds a quantile; write active, or remove "
-    "it",
+    "only active learning finds a quantile; write reliability.method = active, or remove it",
     true};
 constexpr Condition kSampled{
     [](const Study& s) {
