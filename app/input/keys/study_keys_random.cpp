@@ -101,7 +101,8 @@ constexpr Condition kMultiFidelity{
     "reliability.method is not multi_fidelity"};
 constexpr Condition kActive{
     [](const Study& s) { return s.reliability.method == ReliabilityMethod::active; },
-    "only active learning finds a quantile; write reliability.method = active, or remove it",
+    "reliability.method is not active; only active learning finds a quantile: write active, or "
+    "remove it",
     true};
 constexpr Condition kSampled{
     [](const Study& s) {

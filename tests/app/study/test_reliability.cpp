@@ -297,7 +297,8 @@ TEST_CASE("reliability: what a wall cannot answer is refused", "[app][reliabilit
               .find("fidelity of the study itself") != std::string::npos);
     CHECK(complaint("demand = 30 kN\n", "spatial = stratified\n").find("no coordinates") !=
           std::string::npos);
-    CHECK(complaint("quantile = 0.05\n").find("reliability.quantile: only active learning") !=
+    CHECK(complaint("quantile = 0.05\n")
+              .find("reliability.quantile: reliability.method is not active") !=
           std::string::npos);
     CHECK(
         complaint("method = active\nquantile = 0.05\ndemand = 30 kN\n")
