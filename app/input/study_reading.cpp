@@ -11,6 +11,7 @@
 #include "app/input/wall/joint_laws.hpp"
 #include "app/input/wall/wall_geometry.hpp"
 #include "app/text/number_text.hpp"
+#include "app/text/text_file.hpp"
 #include "app/text/words.hpp"
 
 #include <algorithm>
@@ -121,15 +122,13 @@ namespace {
 /// would not be read back as it is stays as given.
 std::string with_whole_paths(const std::string& records, const std::string& study_path)
 {
-    namespace fs = std::filesystem;
+    const std::filesystem::path folder = std::filesystem::path(study_path).parent_path();
     bool any = false;
     std::string text;
     for (const std::string& part : split_outside_brackets(records)) {
-        std::error_code error;
-        const fs::path file = fs::path(study_path).parent_path() / part;
-        std::string path = fs::absolute(file, error).lexically_normal().string();
-        const bool is_whole = !part.empty() && fs::is_regular_file(file, error) &&
-                              path.find_first_of("#;,()\"") == std::string::npos;
+        const std::string path = whole_path((folder / part).string());
+        const bool is_whole =
+            !path.empty() && path.find_first_of("#;,()\"") == std::string::npos;
         any = any || is_whole;
         text += (text.empty() ? "" : ", ") + (is_whole ? path : part);
     }

@@ -17,6 +17,14 @@ constexpr std::size_t kLargest = 1 << 20; // [bytes]; a study has a few thousand
 
 } // namespace
 
+std::string whole_path(const std::string& file)
+{
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error)) return {};
+    const std::filesystem::path path = std::filesystem::absolute(file, error);
+    return error ? std::string() : path.lexically_normal().string();
+}
+
 bool is_text(std::string_view bytes)
 {
     namespace utf = boost::locale::utf;

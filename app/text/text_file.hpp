@@ -1,5 +1,5 @@
 #pragma once
-/// Reading a whole file, and telling text from other bytes.
+/// Reading a whole file, telling text from other bytes, and where a file is.
 
 #include <cstddef>
 #include <string>
@@ -17,6 +17,9 @@ namespace app {
 /// The bytes of a study file of at most 1 MiB.
 /// @throws ConfigError if the path is a directory, cannot be read or is larger
 [[nodiscard]] std::string read_small_file(const std::string& path);
+
+/// The whole path of a file; empty where none is.
+[[nodiscard]] std::string whole_path(const std::string& file);
 
 /// Well-formed UTF-8 without NUL.
 [[nodiscard]] bool is_text(std::string_view bytes);
