@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # bash bench/evidence.sh   writes docs/calibration/evidence.md and .csv: the evidence of laws for joints and cracks, by the seven tests of
 # configs/lourenco2005.csv. Walls that were pushed are kept in runs/evidence and taken again.
-# An accuracy of 3 % for all of them: drops differ by ten times as much from wall to wall, and the walls to learn from cost a third (joints that close).
+# An accuracy of 3 % for all of them: it moves mean drops by 3 to 6 % (docs/validation.md, section 5), and walls whose joints close cost a third.
 # DRYSTONE_PROGRAM: the program.
 set -euo pipefail
 cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.."

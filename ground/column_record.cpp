@@ -59,16 +59,18 @@ void check_names(const RecordText& text, std::size_t first, const std::string& u
     while (head > 0 && stripped(text.lines[head - 1]).empty()) --head;
     if (head-- == 0) return;
     const std::string names = lower(text.lines[head]);
+    const std::vector<std::string> words = words_of(names);
+    if (words.empty() || !(words.front().starts_with("time") || words.front() == "t"))
+        return; // a title, which may say anything
     const auto have = [&](std::string_view word) {
         return names.find(word) != std::string::npos;
     };
-    if (!have("time") && !have("acc")) return; // a title, which may say anything
-    if ((have("velocity") || have("displacement")) && !have("acc"))
+    if (unit.empty() && (have("velocity") || have("displacement")) && !have("acc"))
         refuse(text, head,
                "the values are no acceleration; give the record of the accelerations");
     for (const std::string_view word : {"ms", "msec", "milliseconds", "min"})
-        if (std::ranges::count(words_of(names), word) > 0)
-            refuse(text, head, "the times are in " + std::string(word) + "; convert them to s");
+        if (words.size() > 1 && words[1] == word)
+            refuse(text, head, "the times are in " + words[1] + "; convert them to s");
     const std::string_view last = last_in_brackets(text.lines[head]);
     if (unit.empty() && !last.empty() && !is_unit_of_time(last))
         refuse(text, head,

@@ -53,6 +53,16 @@ void add_index_row(const SurrogateStudy& s, const LevelSurrogate& l, std::size_t
     add_row(t, row, note);
 }
 
+/// The first of these walls by their names, and how many more there are.
+std::string first_named(const SurrogateStudy& s, const std::vector<WallKey>& walls)
+{
+    const std::string more =
+        walls.size() > kNamedWalls
+            ? " and " + std::to_string(walls.size() - kNamedWalls) + " more"
+            : "";
+    return named(*s.walls, walls, kNamedWalls) + more;
+}
+
 } // namespace
 
 Table surrogate_table(const SurrogateStudy& s)
@@ -173,15 +183,6 @@ std::string surrogate_picture(const SurrogateStudy& s, const LevelSurrogate& l)
                         .line = LineStyle::none,
                         .points = true});
     return line_chart(c);
-}
-
-std::string first_named(const SurrogateStudy& s, const std::vector<WallKey>& walls)
-{
-    const std::string more =
-        walls.size() > kNamedWalls
-            ? " and " + std::to_string(walls.size() - kNamedWalls) + " more"
-            : "";
-    return named(*s.walls, walls, kNamedWalls) + more;
 }
 
 std::string left_out_text(const SurrogateStudy& s, const LevelSurrogate& l)

@@ -137,10 +137,13 @@ TEST_CASE("record: columns of another quantity or unit are refused, not read in 
     refused("time [ms]; acc [m/s2]", "the times are in ms; convert them to s");
     refused("time [s]; acc [mg]", "\"mg\" is no unit of acceleration; use g, m/s2");
     refused("time [ms]; acc [mg]", "the times are in ms", {"g"});
+    refused("t [ms]; acc [g]", "the times are in ms");
     CHECK(read("time [s]; acc [mg]\n" + rows, {"m/s2"})[0].motion.acceleration[1] == 0.2);
     // titles, and names that say nothing of units
-    for (const std::string head : {"Velocity pulse, station (Foo)", "time [s], accel",
-                                   "Time (sec) Acc (g)", "time, acceleration", "time [s]"}) {
+    for (const std::string head :
+         {"Velocity pulse, station (Foo)",
+          "Acceleration time series (channel 1), min -0.3, max 0.2", "time [s], acc, min -0.3",
+          "time [s], accel", "Time (sec) Acc (g)", "time, acceleration", "time [s]"}) {
         INFO(head);
         CHECK(read(head + "\n" + rows)[0].motion.acceleration[1] == Approx(0.2 * 9.80665));
     }
