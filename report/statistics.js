@@ -97,7 +97,7 @@ export function modes(data, host) {
     const on = (values) => resample(x, model.stress, values, false);
     const series = [];
     if (model) series.push({ label: `logistic regression, ${percent(data)} band`, colour: colours.rocking, data: on(model.value), band: [on(model.lower), on(model.upper)] });
-    series.push({ label: `share of rocking walls, ${percent(data)} interval (failed walls counted either way)`, colour: '#222222', points: true, data: x.map((v) => levels.find((l) => l.stress === v)?.value ?? null) });
+    series.push({ label: `share of rocking walls, ${percent(data)} interval (${data.modes.either_way} counted either way)`, colour: '#222222', points: true, data: x.map((v) => levels.find((l) => l.stress === v)?.value ?? null) });
     if (levels.some((l) => l.sliding > 0)) series.push({ label: 'share of sliding walls', colour: colours.sliding, points: true, data: x.map((v) => levels.find((l) => l.stress === v)?.sliding ?? null) });
     const where = plot();
     host.append(where, key(series), data.modes.note ? folded(model ? 'How the line was fitted' : 'Why there is no line', element('p', { class: 'note' }, data.modes.note)) : '');

@@ -46,6 +46,7 @@ void add_mode(const StudyWalls& walls, const StudyLevel& level, int mode, Table&
         count(walls_with(level, mode)),
         has_slid ? count_of(level, kAllModes, [](const auto& w) { return w.reading.slid; })
                  : Number{},
+        count_of(level, mode, [](const auto& w) { return !w.reading.dropped; }),
         count_of(level, mode, [](const auto& w) { return w.mechanism.spalled_units > 0; }),
         count_of(level, mode, [](const auto& w) { return w.mechanism.crushed_area > 0.0; }),
         count(level.walls.size()),
@@ -166,6 +167,7 @@ Table mode_table(const StudyWalls& walls)
               "mode",
               "walls with this mode",
               {"slid without cracking", kDetail},
+              {"still stood", kDetail},
               {"with spalled units", kDetail},
               {"with contacts crushed through", kDetail},
               "n",

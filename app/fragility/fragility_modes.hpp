@@ -7,7 +7,7 @@
 namespace app {
 
 /// Share of each mode under each stress: Wilson, Clopper-Pearson and Jeffreys intervals, and
-/// bounds that count failed walls.
+/// bounds that count failed walls, and those whose mode may still change.
 [[nodiscard]] Table mode_table(const StudyWalls& walls);
 
 /// Logistic regression of the mode on the joint friction angle: at which angle both modes are

@@ -168,7 +168,11 @@ Json fragility_json(const DriftData& data)
 
 Json modes_json(const StudyWalls& study)
 {
-    Json modes = {{"levels", Json::array()}, {"note", ""}};
+    const bool may_change = study.study.fragility.mode.modes == dem::ModeRule::mechanism;
+    Json modes = {{"levels", Json::array()},
+                  {"note", ""},
+                  {"either_way",
+                   may_change ? "walls that failed or still stood" : "walls that failed"}};
     std::vector<ModeCount> counts;
     for (std::size_t level = 0; level < study.levels.size(); ++level) {
         const ModeCount c = mode_count(study, level);

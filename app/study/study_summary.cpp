@@ -57,7 +57,8 @@ StudySummary summarise(const StudyWalls& walls)
         "Walls per vertical stress. Errors are standard errors of independent samples; those "
         "of a Latin hypercube are smaller. The " +
         percent_text(f.confidence) +
-        " interval of a share holds whether the failed walls were of that mode or not. "
+        " interval of a share holds " + whatever_mode_text(f) +
+        ". "
         "Ultimate: where the " +
         ultimate_text(f) +
         ", as the median of all walls (Kaplan and Meier) with its interval; censored walls had "

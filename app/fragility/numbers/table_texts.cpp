@@ -87,6 +87,7 @@ Words words_of(const StudyWalls& walls)
 {
     Words words = words_of(drift_data(walls));
     words["rule"] = mode_rule_text(walls.study.fragility);
+    words["whatever"] = whatever_mode_text(walls.study.fragility);
     words["fall"] = percent_text(walls.study.fragility.ultimate_share);
     words["fallen"] = walls.study.fragility.mode.modes == dem::ModeRule::paper
                           ? " A wall whose force fell to " + words["fall"] +

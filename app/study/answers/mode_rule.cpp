@@ -36,6 +36,13 @@ std::string backbone_text(const Study& study)
            kReadOn.at(static_cast<int>(study.fragility.backbone)) + ".";
 }
 
+std::string whatever_mode_text(const FragilityInput& f)
+{
+    return f.mode.modes == dem::ModeRule::mechanism
+               ? "whatever mode the walls that failed or still stood would have had in the end"
+               : "whatever mode the walls that failed would have had";
+}
+
 std::string mode_rule_text(const FragilityInput& f)
 {
     const dem::ModeThresholds& t = f.mode;

@@ -9,7 +9,8 @@
 namespace app {
 
 /// Share of a mode, or of kAllModes, among the walls of a stress. The interval holds the
-/// probability whatever the failed walls would have been.
+/// probability whatever the failed walls would have been, and whatever those that still stood
+/// (WallReading::mode_so_far) would become.
 /// @param confidence in (0, 1)
 [[nodiscard]] fragility::Share
 mode_share(const StudyLevel& level, int mode, double confidence,

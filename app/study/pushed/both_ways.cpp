@@ -80,6 +80,7 @@ WallReading worse_way(const WallReading& own, const WallReading& other)
     WallReading worse = worse_of(own, other);
     const bool by_other = peak_force(other) < peak_force(own);
     worse.mode = by_other ? other.mode : own.mode;
+    worse.mode_so_far = by_other ? other.mode_so_far : own.mode_so_far;
     worse.slid = by_other ? other.slid : own.slid;
     return worse;
 }

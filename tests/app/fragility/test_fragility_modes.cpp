@@ -56,6 +56,21 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("fragility modes: the interval of a share allows any mode for walls that still stood",
+          "[app][fragility_modes]")
+{
+    app::StudyWalls walls = scenes::study_walls(8); // 6 mixed, 2 rocking
+    for (app::StudyWall& w : walls.levels[0].walls)
+        w.reading.mode_so_far = w.reading.mode == dem::FailureMode::rocking;
+    const app::Table t = app::mode_table(walls);
+    CHECK(cell(t, 0, "share [%]") == "25.0 [0.0, 59.1]");   // Wilson, of 0 and of 2 of 8
+    CHECK(cell(t, 1, "share [%]") == "75.0 [40.9, 100.0]"); // of 6 and of 8 of 8
+    walls.levels[0].failed_walls.resize(2);
+    CHECK(cell(app::mode_table(walls), 0, "share [%]") == "25.0 [0.0, 68.7]"); // 4 of 10
+    CHECK(app::mode_share(walls.levels[0], app::kAllModes, 0.95).interval.lower ==
+          Approx(0.4902).epsilon(1e-3)); // 8 of 10: whatever they become, they are walls
+}
+
 TEST_CASE("fragility modes: a mode that does not occur has the share 0 with an upper bound",
           "[app][fragility_modes]")
 {

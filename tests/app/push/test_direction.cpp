@@ -108,10 +108,12 @@ TEST_CASE("direction: the worse of both is taken number by number, and says whic
     other.reading.peak->force = 50e3;
     other.reading.limits = {at(0.015), at(0.02), at(0.005)};
     other.reading.mode = dem::FailureMode::sliding;
+    other.reading.mode_so_far = true;
     wall.other_way.push_back(other);
     const app::WallReading worse = app::worse_way(wall);
     CHECK(peak_force(worse) == 50e3);
     CHECK(worse.mode == dem::FailureMode::sliding);
+    CHECK(worse.mode_so_far);
     CHECK(worse.limits[0].displacement == 0.015);
     CHECK(worse.limits[1].displacement == 0.01);
     CHECK(app::worse_way_name(study, wall, 0) == "left");

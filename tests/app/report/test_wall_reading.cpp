@@ -50,6 +50,7 @@ void check_equal(const app::WallReading& a, const app::WallReading& b)
     CHECK(a.mode == b.mode);
     CHECK(a.dropped == b.dropped);
     CHECK(a.slid == b.slid);
+    CHECK(a.mode_so_far == b.mode_so_far);
     REQUIRE(a.limits.size() == b.limits.size());
     for (std::size_t i = 0; i < a.limits.size(); ++i) {
         CHECK(a.limits[i].displacement == b.limits[i].displacement);
@@ -88,6 +89,11 @@ TEST_CASE("wall reading: peak, ultimate displacement and mode follow the rules o
         app::read({kAt, kForce}, {0.9, 0.1, 0, 0}, rules({"fragility.ultimate_share=0.5"}));
     CHECK(is_censored(never.ultimate));
     CHECK(never.mode == dem::FailureMode::rocking);
+    CHECK(never.mode_so_far);
+    CHECK_FALSE(w.mode_so_far);
+    CHECK_FALSE(app::read({kAt, kForce}, {0.9, 0.1, 0, 0},
+                          rules({"fragility.ultimate_share=0.5", "fragility.modes=two"}))
+                    .mode_so_far); // as the paper has it, what stands rocks
     const app::WallReading cracked =
         app::read({kAt, kForce}, {0.9, 0.1, 1, 4},
                   rules({"fragility.ultimate_share=0.5", "fragility.rotation_share=0.95"}));
@@ -102,6 +108,7 @@ TEST_CASE("wall reading: peak, ultimate displacement and mode follow the rules o
     CHECK(slides.mode == dem::FailureMode::sliding);
     CHECK(app::read({kAt, kForce}, {0.9, 0.1, 0, 0}, rules()).mode ==
           dem::FailureMode::rocking);
+    CHECK_FALSE(app::read({kAt, kForce}, {0.9, 0.1, 0, 0}, rules()).mode_so_far);
 }
 
 TEST_CASE(

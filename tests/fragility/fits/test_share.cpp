@@ -28,6 +28,15 @@ TEST_CASE("share: walls without a result widen the interval to what they could h
     CHECK(clean.interval.upper == core::binomial_interval(wilson, 3, 50).upper);
 }
 
+TEST_CASE("share: walls that are not decided widen the interval to both sides",
+          "[fragility][share]")
+{
+    const Share s = share(10, 47, 3, wilson, 0.95, {.of_this = 4, .of_other = 7});
+    CHECK(s.value == near(10.0 / 47.0));
+    CHECK(s.interval.lower == core::binomial_interval(wilson, 6, 50).lower);
+    CHECK(s.interval.upper == core::binomial_interval(wilson, 20, 50).upper);
+}
+
 TEST_CASE("share: with no result at all the share is anything", "[fragility][share]")
 {
     const Share s = share(0, 0, 12);
@@ -41,4 +50,6 @@ TEST_CASE("share: counts that cannot be are refused", "[fragility][share]")
     CHECK_THROWS_AS(share(1, 2, -1), std::invalid_argument);
     CHECK_THROWS_AS(share(1, 0, 3), std::invalid_argument);
     CHECK_THROWS_AS(share(-1, 2), std::invalid_argument);
+    CHECK_THROWS_AS(share(1, 2, 0, wilson, 0.95, {.of_this = 2}), std::invalid_argument);
+    CHECK_THROWS_AS(share(1, 2, 0, wilson, 0.95, {.of_other = 2}), std::invalid_argument);
 }
