@@ -34,4 +34,5 @@ set(FRAGILITY_PUBLIC_HEADERS
     limits/performance_limits.hpp
     curve/resampled_curve.hpp
     fits/share.hpp
-    limits/stress_model.hpp)
+    limits/stress_model.hpp
+    intensity/sufficiency.hpp)

@@ -19,7 +19,7 @@ struct CallText {
 /// @throws std::invalid_argument
 [[nodiscard]] CallText parse_call(std::string_view text);
 
-enum class Dimension { none, acceleration, velocity, time, frequency, angle };
+enum class Dimension { none, acceleration, velocity, length, time, frequency, angle };
 
 /// A number with its unit, in SI (angles in rad).
 /// @throws std::invalid_argument

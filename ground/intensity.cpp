@@ -50,23 +50,28 @@ double three_largest(const std::vector<double>& line, double sign)
     return sum;
 }
 
+/// What a measure is told in its brackets.
+enum class Needs { nothing, period, block };
+
 struct MeasureRow {
     std::string_view name;
     MeasureKind kind;
-    bool has_period;
+    Needs needs;
     std::string_view unit;
     double unit_value; ///< in SI
 };
 constexpr std::array kMeasures = {
-    MeasureRow{"pga", MeasureKind::pga, false, "g", kGravity},
-    MeasureRow{"pgv", MeasureKind::pgv, false, "m/s", 1.0},
-    MeasureRow{"pgd", MeasureKind::pgd, false, "m", 1.0},
-    MeasureRow{"sa", MeasureKind::sa, true, "g", kGravity},
-    MeasureRow{"avg_sa", MeasureKind::avg_sa, true, "g", kGravity},
-    MeasureRow{"fiv3", MeasureKind::fiv3, true, "m/s", 1.0},
-    MeasureRow{"cav", MeasureKind::cav, false, "m/s", 1.0},
-    MeasureRow{"arias", MeasureKind::arias, false, "m/s", 1.0},
-    MeasureRow{"d5_95", MeasureKind::duration, false, "s", 1.0},
+    MeasureRow{"pga", MeasureKind::pga, Needs::nothing, "g", kGravity},
+    MeasureRow{"pgv", MeasureKind::pgv, Needs::nothing, "m/s", 1.0},
+    MeasureRow{"pgd", MeasureKind::pgd, Needs::nothing, "m", 1.0},
+    MeasureRow{"sa", MeasureKind::sa, Needs::period, "g", kGravity},
+    MeasureRow{"avg_sa", MeasureKind::avg_sa, Needs::period, "g", kGravity},
+    MeasureRow{"fiv3", MeasureKind::fiv3, Needs::period, "m/s", 1.0},
+    MeasureRow{"cav", MeasureKind::cav, Needs::nothing, "m/s", 1.0},
+    MeasureRow{"arias", MeasureKind::arias, Needs::nothing, "m/s", 1.0},
+    MeasureRow{"d5_95", MeasureKind::duration, Needs::nothing, "s", 1.0},
+    MeasureRow{"rocking_pga", MeasureKind::rocking_pga, Needs::block, "-", 1.0},
+    MeasureRow{"rocking_pgv", MeasureKind::rocking_pgv, Needs::block, "-", 1.0},
 };
 
 const MeasureRow& row_of(MeasureKind kind)
@@ -77,6 +82,40 @@ const MeasureRow& row_of(MeasureKind kind)
 }
 
 double tan_alpha(const RockingBlock& block) { return block.half_width / block.half_height; }
+
+/// @throws std::invalid_argument if it is not in [0.01, 20] s
+double period_of(const CallText& call)
+{
+    constexpr double kLeast = 0.01, kMost = 20.0;
+    const double period = call.arguments.size() == 1 && (call.arguments[0].name.empty() ||
+                                                         call.arguments[0].name == "period")
+                              ? quantity(call.arguments[0].value, Dimension::time)
+                              : 0.0;
+    if (!(period >= kLeast && period <= kMost))
+        throw std::invalid_argument(call.name + " needs a period in [0.01, 20] s; write \"" +
+                                    call.name + "(0.3 s)\"");
+    return period;
+}
+
+/// @throws std::invalid_argument if its half width or half height is not in [0.01, 100] m
+RockingBlock block_of(const CallText& call)
+{
+    constexpr double kLeast = 0.01, kMost = 100.0;
+    const auto length = [&](std::size_t i, const char* name) {
+        if (call.arguments.size() != 2) return 0.0;
+        const CallText::Argument& a = call.arguments[i];
+        return a.name.empty() || a.name == name ? quantity(a.value, Dimension::length) : 0.0;
+    };
+    const RockingBlock block{length(0, "half_width"), length(1, "half_height")};
+    for (const double x : {block.half_width, block.half_height})
+        if (!(x >= kLeast && x <= kMost))
+            throw std::invalid_argument(
+                call.name +
+                " needs half the width and half the height of the block, in [0.01, 100] m; "
+                "write \"" +
+                call.name + "(0.5 m, 0.6 m)\"");
+    return block;
+}
 
 } // namespace
 
@@ -169,32 +208,32 @@ Measure parse_measure(std::string_view text)
     const CallText call = parse_call(text);
     for (const MeasureRow& row : kMeasures) {
         if (call.name != row.name) continue;
-        if (!row.has_period && call.arguments.empty()) return {row.kind, 0.0};
-        if (!row.has_period)
-            throw std::invalid_argument(std::string(row.name) +
-                                        " takes no period; write it alone");
-        constexpr double kLeast = 0.01, kMost = 20.0;
-        const double period = call.arguments.size() == 1 && (call.arguments[0].name.empty() ||
-                                                             call.arguments[0].name == "period")
-                                  ? quantity(call.arguments[0].value, Dimension::time)
-                                  : 0.0;
-        if (!(period >= kLeast && period <= kMost))
-            throw std::invalid_argument(std::string(row.name) +
-                                        " needs a period in [0.01, 20] s; write \"" +
-                                        std::string(row.name) + "(0.3 s)\"");
-        return {row.kind, period};
+        if (row.needs == Needs::period) return {.kind = row.kind, .period = period_of(call)};
+        if (row.needs == Needs::block) return {.kind = row.kind, .block = block_of(call)};
+        if (!call.arguments.empty())
+            throw std::invalid_argument(call.name + " takes no period; write it alone");
+        return {.kind = row.kind};
     }
     throw std::invalid_argument("\"" + call.name +
                                 "\" is no measure of intensity; use pga, pgv, pgd, sa(0.3 s), "
-                                "avg_sa(0.3 s), fiv3(0.3 s), "
-                                "cav, arias or d5_95");
+                                "avg_sa(0.3 s), fiv3(0.3 s), cav, arias, d5_95, "
+                                "rocking_pga(0.5 m, 0.6 m) or rocking_pgv(0.5 m, 0.6 m)");
 }
 
 std::string measure_text(const Measure& measure)
 {
     const MeasureRow& row = row_of(measure.kind);
-    return std::string(row.name) +
-           (row.has_period ? "(" + plain_text(measure.period) + " s)" : "");
+    const std::string name(row.name);
+    switch (row.needs) {
+    case Needs::period:
+        return name + "(" + plain_text(measure.period) + " s)";
+    case Needs::block:
+        return name + "(" + plain_text(measure.block.half_width) + " m, " +
+               plain_text(measure.block.half_height) + " m)";
+    case Needs::nothing:
+        return name;
+    }
+    throw std::logic_error("no such measure");
 }
 
 std::string_view measure_unit(const Measure& measure) { return row_of(measure.kind).unit; }
@@ -221,6 +260,10 @@ double intensity(const GroundMotion& motion, const Measure& measure)
         return arias_intensity(motion);
     case MeasureKind::duration:
         return significant_duration(motion, 0.05, 0.95);
+    case MeasureKind::rocking_pga:
+        return rocking_pga(motion, measure.block);
+    case MeasureKind::rocking_pgv:
+        return rocking_pgv(motion, measure.block);
     }
     throw std::logic_error("no such measure");
 }

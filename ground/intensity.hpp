@@ -38,8 +38,10 @@ namespace ground {
 
 /// A rigid block of the slenderness tan(alpha) = half_width / half_height.
 struct RockingBlock {
-    double half_width;  ///< [m], > 0
-    double half_height; ///< [m], > 0
+    double half_width = 0.0;  ///< [m], > 0
+    double half_height = 0.0; ///< [m], > 0
+
+    friend bool operator==(const RockingBlock&, const RockingBlock&) = default;
 };
 
 /// PGA / (g tan alpha): the block starts to rock above 1 [-].
@@ -48,12 +50,27 @@ struct RockingBlock {
 /// PGV p / (g tan alpha), p^2 = 3 g / (4 R) [-] (Giouvanidis & Dimitrakopoulos 2018).
 [[nodiscard]] double rocking_pgv(const GroundMotion& motion, const RockingBlock& block);
 
-enum class MeasureKind { pga, pgv, pgd, sa, avg_sa, fiv3, cav, arias, duration };
+enum class MeasureKind {
+    pga,
+    pgv,
+    pgd,
+    sa,
+    avg_sa,
+    fiv3,
+    cav,
+    arias,
+    duration,
+    rocking_pga,
+    rocking_pgv
+};
 
-/// A measure by name: pga, pgv, pgd, sa(0.3 s), avg_sa(0.3 s), fiv3(0.3 s), cav, arias, d5_95.
+/// A measure by name: pga, pgv, pgd, sa(0.3 s), avg_sa(0.3 s), fiv3(0.3 s), cav, arias, d5_95,
+/// rocking_pga(0.5 m, 0.6 m) and rocking_pgv(0.5 m, 0.6 m) of a block by its half width and
+/// half height.
 struct Measure {
     MeasureKind kind = MeasureKind::pga;
-    double period = 0.0; ///< [s], of those that have one
+    double period = 0.0;  ///< [s], of those that have one
+    RockingBlock block{}; ///< of those that have one
 
     friend bool operator==(const Measure&, const Measure&) = default;
 };
@@ -64,7 +81,7 @@ struct Measure {
 /// "sa(0.3 s)"
 [[nodiscard]] std::string measure_text(const Measure& measure);
 
-/// Unit in which people read it: "g", "m/s", "m", "s", and its value in SI.
+/// Unit in which people read it: "g", "m/s", "m", "s", "-", and its value in SI.
 [[nodiscard]] std::string_view measure_unit(const Measure& measure);
 [[nodiscard]] double measure_unit_value(const Measure& measure);
 

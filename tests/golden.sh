@@ -55,6 +55,13 @@ case_study_spatial() { # the verbs one by one; the page pushes walls again
 case_curve_hash() { [[ ! -x $hash ]] || "$hash" | sed 's/ *[0-9]* lanes$//' >said; }
 case_study_cyclic() { study quick --set uq.samples=4 --set load.vertical_stress=0.5MPa --set joint.wall_modulus=768MPa --set 'load.amplitudes=2, 6 mm'; }
 case_push_levels() { push levels --set load.max_displacement=12mm; }
+case_study_shaken() {
+    run study ../configs/shaken_study.ini --out study.h5 --quiet --threads 2 --set uq.samples=1 --set load.vertical_stress=0.5MPa \
+        --set joint.wall_modulus=768MPa --set 'shaking.records=kanai_tajimi(peak 0.3 g, low 1 Hz, duration 2 s, records 2)' \
+        --set 'shaking.intensities=0.2, 0.4 g'
+    run fragility study.h5 --quiet
+}
+case_shake() { run shake ../configs/shaken.ini --out . --quiet --threads 2; }
 case_study_layouts() { study rubble --set uq.samples=4 --set load.max_displacement=2mm --set wall.layouts=2 "${simple[@]}"; }
 case_push_wall() { push wall; }
 case_push_rubble() { push rubble --sample mean --set load.max_displacement=6mm; }

@@ -17,16 +17,23 @@
 namespace app {
 namespace {
 
-/// Periods of the spectral accelerations that are kept [s]: choice.
+/// Periods of the spectral accelerations that are kept, and of what is taken over a range of
+/// periods [s]: choice.
 constexpr std::array kPeriods = {0.1, 0.2, 0.3, 0.5, 1.0, 2.0};
+constexpr std::array kWidePeriods = {0.3, 0.5, 1.0};
 
-std::vector<ground::Measure> kept_measures(const ground::Measure& own)
+/// @param block the wall as one block
+std::vector<ground::Measure> kept_measures(const ground::Measure& own,
+                                           const ground::RockingBlock& block)
 {
-    using Kind = ground::MeasureKind;
-    std::vector<ground::Measure> all = {{Kind::pga, 0.0}, {Kind::pgv, 0.0},
-                                        {Kind::pgd, 0.0}, {Kind::arias, 0.0},
-                                        {Kind::cav, 0.0}, {Kind::duration, 0.0}};
-    for (const double period : kPeriods) all.push_back({Kind::sa, period});
+    using enum ground::MeasureKind;
+    std::vector<ground::Measure> all = {{pga}, {pgv}, {pgd}, {arias}, {cav}, {duration}};
+    for (const double period : kPeriods) all.push_back({.kind = sa, .period = period});
+    for (const auto kind : {avg_sa, fiv3})
+        for (const double period : kWidePeriods)
+            all.push_back({.kind = kind, .period = period});
+    for (const auto kind : {rocking_pga, rocking_pgv})
+        all.push_back({.kind = kind, .block = block});
     if (std::ranges::count(all, own) == 0) all.push_back(own);
     return all;
 }
@@ -56,8 +63,9 @@ std::string name_in_line(const std::string& name)
 
 } // namespace
 
-HistoryPlan history_plan(const Study& study)
+HistoryPlan history_plan(const PreparedStudy& ready)
 {
+    const Study& study = ready.study;
     check_shaken_study(study);
     if (has_layouts(study))
         throw error_at(study.source, "wall.layouts",
@@ -73,7 +81,8 @@ HistoryPlan history_plan(const Study& study)
     HistoryPlan plan;
     plan.records = shaking_records(study);
     plan.design = study.shaking.design;
-    plan.measures = kept_measures(plan.records.measure);
+    plan.measures = kept_measures(plan.records.measure,
+                                  {0.5 * ready.layout.length, 0.5 * ready.layout.height});
     return plan;
 }
 

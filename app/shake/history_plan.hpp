@@ -1,6 +1,7 @@
 #pragma once
 /// The histories of a study: stress x wall x record x intensity, and the head of their file.
 
+#include "app/input/prepared_study.hpp"
 #include "app/sampling/sample_plan.hpp"
 #include "app/shake/shaking_motions.hpp"
 #include "app/store/store_head.hpp"
@@ -25,7 +26,7 @@ struct HistoryOf {
 };
 
 /// @throws ConfigError
-[[nodiscard]] HistoryPlan history_plan(const Study& study);
+[[nodiscard]] HistoryPlan history_plan(const PreparedStudy& ready);
 
 /// Histories of each wall under one stress. Samples count through intensities first, then
 /// through records, then through walls, so that walls that are added later come last.

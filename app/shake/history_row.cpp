@@ -90,6 +90,7 @@ std::string measure_column(const ground::Measure& measure)
 {
     std::string name = std::string(kMeasureColumns) + measure_text(measure);
     std::ranges::replace(name, ' ', '_');
+    std::ranges::replace(name, ',', '+');
     return name;
 }
 
@@ -106,6 +107,9 @@ const char* si_unit_of(const ground::Measure& measure)
         return "m";
     case Kind::duration:
         return "s";
+    case Kind::rocking_pga:
+    case Kind::rocking_pgv:
+        return "-";
     default:
         return "m/s";
     }

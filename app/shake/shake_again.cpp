@@ -7,7 +7,7 @@
 namespace app {
 
 ShakenAgain::ShakenAgain(const StoredHistories& stored, const std::filesystem::path& file)
-    : ready_(shaken_study(lay_again(stored.study), 0)), plan_(history_plan(ready_.study))
+    : ready_(shaken_study(lay_again(stored.study), 0)), plan_(history_plan(ready_))
 {
     refuse_changed_records(ready_.study, plan_, file);
     samples_ = sample_plan(ready_.study, ready_.layout, stored_walls(stored.head, plan_));

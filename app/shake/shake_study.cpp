@@ -234,7 +234,7 @@ int shake_study_command(const Command& command)
 {
     PreparedStudy ready = prepare(read_study(command.study, command.overrides));
     Study& study = ready.study;
-    const HistoryPlan plan = history_plan(study);
+    const HistoryPlan plan = history_plan(ready);
     check_size(study, plan);
     study.solver.kinematics = dem::Kinematics::finite; // whatever the default of a push
     std::cerr << study_notes(ready, command.verb);

@@ -1,5 +1,6 @@
 #include "fragility/intensity/cloud.hpp"
 
+#include "fragility/intensity/cloud_term.hpp"
 #include "fragility/laws/maximise.hpp"
 #include "fragility/laws/standard_law.hpp"
 
@@ -25,9 +26,7 @@ Local cloud_likelihood(const std::vector<CloudRow>& rows, const VectorXd& theta)
     l.value = 0.0;
     for (const CloudRow& r : rows) {
         const double z = gamma * r.y - theta[0] - theta[1] * r.x;
-        const LogTerm t = r.kind == Censoring::none    ? StandardNormal::log_density(z)
-                          : r.kind == Censoring::right ? StandardNormal::log_survival(z)
-                                                       : StandardNormal::log_cdf(z);
+        const LogTerm t = cloud_term(r.kind, z);
         const Vector3d by(-1.0, -r.x, r.y);
         l.value += r.weight * t.value;
         l.gradient += r.weight * t.d1 * by;
@@ -88,7 +87,7 @@ CloudFit fit_cloud(std::span<const CloudPoint> points, bool unbiased)
     for (const CloudPoint& p : points) {
         const Observation& o = p.response;
         const Censoring kind = censoring(o, true);
-        const double bound = kind == Censoring::left ? o.upper : o.lower;
+        const double bound = bound_of(o, kind);
         if (!(p.intensity > 0.0) || !std::isfinite(p.intensity) || !(bound > 0.0) ||
             !std::isfinite(bound) || !(o.weight >= 0.0) || kind == Censoring::interval)
             return refused_cloud(invalid_value, "intensities and responses must be above 0");

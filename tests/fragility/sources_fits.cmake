@@ -4,6 +4,7 @@ drystone_tests(fragility_fits
         fragility/fits/test_censored_fit.cpp
         fragility/intensity/test_cloud.cpp
         fragility/intensity/test_crossed_design.cpp
+        fragility/intensity/test_sufficiency.cpp
         fragility/fits/test_fit_intervals.cpp
         fragility/limits/test_fragility_curve.cpp
         fragility/fits/test_goodness_of_fit.cpp

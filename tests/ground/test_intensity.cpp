@@ -90,6 +90,10 @@ TEST_CASE("intensity: rocking measures are 1 where a block starts to rock",
     const ground::RockingBlock block{0.25, 1.0};
     const auto m = ground::pulse("half_sine(peak 0.25 g, duration 1 s)");
     CHECK(ground::rocking_pga(m, block) == Approx(1.0).epsilon(1e-12));
+    CHECK(ground::intensity(m, ground::parse_measure("rocking_pga(0.25 m, 1 m)")) ==
+          ground::rocking_pga(m, block));
+    CHECK(ground::intensity(m, ground::parse_measure("rocking_pgv(0.25 m, 1 m)")) ==
+          ground::rocking_pgv(m, block));
     const double p = std::sqrt(0.75 * kG / std::hypot(0.25, 1.0));
     CHECK(ground::rocking_pgv(m, block) ==
           Approx(motion_facts(m).pgv * p / (0.25 * kG)).epsilon(1e-12));
@@ -98,11 +102,21 @@ TEST_CASE("intensity: rocking measures are 1 where a block starts to rock",
 TEST_CASE("intensity: measures are read by name and written back", "[ground][intensity]")
 {
     using Catch::Matchers::Contains;
-    for (const char* const text : {"pga", "pgv", "pgd", "sa(0.3 s)", "avg_sa(1.5 s)",
-                                   "fiv3(0.25 s)", "cav", "arias", "d5_95"})
+    for (const char* const text :
+         {"pga", "pgv", "pgd", "sa(0.3 s)", "avg_sa(1.5 s)", "fiv3(0.25 s)", "cav", "arias",
+          "d5_95", "rocking_pga(0.5 m, 1.1 m)", "rocking_pgv(0.25 m, 2 m)"})
         CHECK(ground::measure_text(ground::parse_measure(text)) == text);
     CHECK(ground::parse_measure("sa( period 300 ms )") ==
-          ground::Measure{ground::MeasureKind::sa, 0.3});
+          ground::Measure{.kind = ground::MeasureKind::sa, .period = 0.3});
+    CHECK(ground::parse_measure("rocking_pgv(half_width 50 cm, half_height 1.1 m)") ==
+          ground::Measure{.kind = ground::MeasureKind::rocking_pgv, .block = {0.5, 1.1}});
+    CHECK_THROWS_WITH(ground::parse_measure("rocking_pga"),
+                      Contains("rocking_pga(0.5 m, 0.6 m)"));
+    CHECK_THROWS_WITH(ground::parse_measure("rocking_pga(0.5 m)"), Contains("half the height"));
+    CHECK_THROWS_WITH(ground::parse_measure("rocking_pga(0.5 m, 0 m)"),
+                      Contains("[0.01, 100] m"));
+    CHECK_THROWS_WITH(ground::parse_measure("rocking_pga(0.5 s, 1 m)"),
+                      Contains("m or cm or mm"));
     CHECK_THROWS_WITH(ground::parse_measure("sa"), Contains("sa(0.3 s)"));
     CHECK_THROWS_WITH(ground::parse_measure("sa(0)"), Contains("write s or ms"));
     CHECK_THROWS_WITH(ground::parse_measure("sa(99 s)"), Contains("needs a period"));

@@ -4,6 +4,7 @@
 #include "app/study/answers/fragility_text.hpp"
 #include "app/text/number_text.hpp"
 #include "fragility/intensity/cloud.hpp"
+#include "fragility/intensity/sufficiency.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,6 +41,74 @@ std::vector<DriftFractiles> drift_fractiles(const IntensityData& data, std::size
     return all;
 }
 
+namespace {
+
+/// A feature of a record that no scaling changes.
+struct Feature {
+    const char* head;
+    const char* measure;
+    const char* over; ///< empty: the measure alone
+};
+constexpr Feature kFeatures[] = {{"sufficiency, D5-95: p", "d5_95", ""},
+                                 {"sufficiency, PGV/PGA: p", "pgv", "pga"}};
+
+/// The histories of a stress that gave a result, as a cloud.
+struct Cloud {
+    std::vector<const StoredHistory*> histories;
+    std::vector<fragility::CloudPoint> points; ///< of one measure
+    std::vector<std::size_t> records;
+};
+
+Cloud cloud_of(const HistoryLevel& level, std::size_t measure)
+{
+    Cloud c;
+    for (const StoredHistory& h : level.histories) {
+        if (h.failed) continue;
+        const double drift = std::max(h.max_drift, kElasticDrift);
+        c.histories.push_back(&h);
+        c.records.push_back(h.record);
+        c.points.push_back({h.measures[measure],
+                            h.fell ? fragility::right_censored(drift)
+                            : h.max_drift < kElasticDrift
+                                ? fragility::left_censored(kElasticDrift)
+                                : fragility::observed(h.max_drift),
+                            h.fell});
+    }
+    return c;
+}
+
+/// ln of a feature by history; empty where the file does not have it.
+std::vector<double> values_of(const Feature& feature, const Cloud& cloud,
+                              const std::vector<std::string>& measures)
+{
+    const auto place = [&](std::string_view name) {
+        return static_cast<std::size_t>(std::ranges::find(measures, name) - measures.begin());
+    };
+    const std::size_t at = place(feature.measure);
+    const bool ratio = *feature.over != 0;
+    const std::size_t over = ratio ? place(feature.over) : 0;
+    if (std::max(at, over) >= measures.size()) return {};
+    std::vector<double> x;
+    for (const StoredHistory* h : cloud.histories) {
+        const double value = h->measures[at] / (ratio ? h->measures[over] : 1.0);
+        if (!(value > 0.0) || !std::isfinite(value)) return {};
+        x.push_back(std::log(value));
+    }
+    return x;
+}
+
+Number sufficiency_cell(const Feature& feature, const Cloud& cloud,
+                        const fragility::CloudFit& fit,
+                        const std::vector<std::string>& measures)
+{
+    const std::vector<double> x = values_of(feature, cloud, measures);
+    if (x.empty()) return {};
+    const auto test = fragility::test_sufficiency(cloud.points, fit, x, cloud.records);
+    return test.outcome == ModelOutcome::converged ? plain_number(test.p, 3) : Number{};
+}
+
+} // namespace
+
 Table measure_table(const IntensityData& data)
 {
     Table t;
@@ -50,33 +119,30 @@ Table measure_table(const IntensityData& data)
         percent_text(kElasticDrift) +
         " below. Efficiency: a small s. Practicality: a large b. Proficiency: a small "
         "s/b, the dispersion of a fragility curve on this measure. Of measures to which "
-        "records were scaled s is that at the intensities of the study.";
-    t.head = {"stress [MPa]", "measure", "b", "s", "s/b", "histories", {"note", kNote}};
+        "records were scaled s is that at the intensities of the study. Sufficiency (Luco and "
+        "Cornell 2007): p-value of the hypothesis that, given the measure, the drift does not "
+        "depend on the duration of the record (D5-95), or on what it has of long periods "
+        "(PGV/PGA); scores are summed over each record, of which there must be " +
+        std::to_string(fragility::kSufficiencyRecords) +
+        ". A small p: the curve depends on which records were taken.";
+    t.head = {"stress [MPa]", "measure", "b", "s", "s/b"};
+    for (const Feature& f : kFeatures) t.head.emplace_back(f.head);
+    t.head.insert(t.head.end(), {"histories", {"note", kNote}});
     t.keys = 2;
     for (const HistoryLevel& level : data.histories.levels)
         for (std::size_t m = 0; m < data.histories.measures.size(); ++m) {
-            std::vector<fragility::CloudPoint> points;
-            for (const StoredHistory& h : level.histories) {
-                if (h.failed) continue;
-                const double drift = std::max(h.max_drift, kElasticDrift);
-                points.push_back({h.measures[m],
-                                  h.fell ? fragility::right_censored(drift)
-                                  : h.max_drift < kElasticDrift
-                                      ? fragility::left_censored(kElasticDrift)
-                                      : fragility::observed(h.max_drift),
-                                  h.fell});
-            }
-            const Row start = {stress_cell(level.stress), data.histories.measures[m]};
-            const fragility::CloudFit f = fragility::fit_cloud(points);
-            if (f.outcome != ModelOutcome::converged) {
-                add_row(t, joined(start, {Number{}, Number{}, Number{}, count(points.size())}),
-                        "No line: " + f.reason + ".");
-                continue;
-            }
-            add_row(
-                t, joined(start, {plain_number(f.slope, 3), plain_number(f.sigma, 3),
-                                  f.slope > 0.0 ? plain_number(f.sigma / f.slope, 3) : Number{},
-                                  count(points.size())}));
+            const Cloud cloud = cloud_of(level, m);
+            const fragility::CloudFit f = fragility::fit_cloud(cloud.points);
+            const bool has_line = f.outcome == ModelOutcome::converged;
+            const auto known = [&](double x) {
+                return has_line ? plain_number(x, 3) : Number{};
+            };
+            Row row = {stress_cell(level.stress), data.histories.measures[m], known(f.slope),
+                       known(f.sigma), f.slope > 0.0 ? known(f.sigma / f.slope) : Number{}};
+            for (const Feature& feature : kFeatures)
+                row.emplace_back(sufficiency_cell(feature, cloud, f, data.histories.measures));
+            row.emplace_back(count(cloud.points.size()));
+            add_row(t, row, has_line ? "" : "No line: " + f.reason + ".");
         }
     return t;
 }

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 #include <stdexcept>
 
 namespace app {
@@ -93,9 +94,9 @@ StoredHistory history_of_row(const std::filesystem::path& file, const StoredHist
 std::string text_of_measure(std::string_view column)
 {
     std::string text(column.substr(kMeasureColumns.size()));
-    std::ranges::replace(text, '_', ' ');
-    for (const char* const name : {"avg sa", "d5 95"}) // that have an underscore of their own
-        if (text.starts_with(name)) text[text.find(' ')] = '_';
+    // names have underscores of their own; in brackets they stand for blanks, and + for commas
+    for (char& c : std::span(text).subspan(std::min(text.find('('), text.size())))
+        c = c == '_' ? ' ' : c == '+' ? ',' : c;
     return text;
 }
 

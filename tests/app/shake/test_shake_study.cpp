@@ -220,6 +220,22 @@ TEST_CASE(
     }
     CHECK(seen.size() == 27);
     CHECK(all.levels.front().missing == 0);
+    // the names of measures come back, and what they need of the wall is its own
+    for (const std::string& name : all.measures)
+        CHECK(ground::measure_text(ground::parse_measure(name)) == name);
+    const auto measured = [&](const std::string& name) {
+        const auto at = std::ranges::find(all.measures, name);
+        REQUIRE(at != all.measures.end());
+        return all.levels.front().histories.front().measures.at(
+            static_cast<std::size_t>(at - all.measures.begin()));
+    };
+    const app::PreparedStudy ready = app::prepare(all.study);
+    const ground::Measure rocking{
+        .kind = ground::MeasureKind::rocking_pga,
+        .block = {0.5 * ready.layout.length, 0.5 * ready.layout.height}};
+    CHECK(measured(ground::measure_text(rocking)) ==
+          Approx(0.3 / (ready.layout.length / ready.layout.height)));
+    for (const char* const name : {"avg_sa(0.3 s)", "fiv3(1 s)"}) CHECK(measured(name) > 0.0);
 }
 
 TEST_CASE("shake study: a study that grows keeps its walls and goes on", "[app][shake]")
@@ -310,6 +326,9 @@ TEST_CASE("shake study: fragility on the intensity, with rates and files for oth
     CHECK_THAT(text_of("intensity_limits.csv"), Contains("annual rate [1/a]"));
     CHECK_THAT(text_of("openquake_fragility.xml"), Contains("imt=\"PGA\""));
     CHECK_THAT(text_of("pelicun_fragility.csv"), Contains("Peak Ground Acceleration,g,"));
+    // five records are too few for a test of sufficiency
+    for (const app::Json& row : all["tables"]["intensity_measures"]["rows"])
+        CHECK(row.at(5).is_null());
     check_modes(all, read);
     check_one_mode(read);
     check_drift_pictures(read);
