@@ -11,12 +11,14 @@
 #include "app/study/pushed/pushed_limits.hpp"
 #include "app/study/pushed/row_buffer.hpp"
 #include "app/study/shard_file.hpp"
+#include "app/study/slurm_command.hpp"
 #include "app/study/stored/history_summary.hpp"
 #include "app/study/stored/provenance.hpp"
 #include "app/study/stored/study_file_head.hpp"
 #include "dem/block/model.hpp"
 #include "dem/shaking/shake_ensemble.hpp"
 #include "dem/solver/push.hpp"
+#include "dem/solver/solver_lanes.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -205,6 +207,27 @@ std::vector<WallKey> longest_first(const HistoryPlan& plan, std::vector<WallKey>
     return histories;
 }
 
+/// Runs one register of histories, from all over the study, to know what one takes.
+StudyWork shaking_work(const PreparedStudy& ready, const HistoryPlan& plan)
+{
+    const std::vector<std::uint32_t> sizes = {samples_of(ready.study)};
+    const SamplePlan samples = sample_plan(ready.study, ready.layout, sizes);
+    const std::size_t levels = ready.study.load.vertical_stress.size(),
+                      each = sizes.front() * histories_per_wall(plan), all = levels * each;
+    std::vector<WallKey> pilot;
+    const std::size_t n = std::min<std::size_t>(dem::solver_lanes(), all);
+    for (std::size_t i = 0; i < n; ++i) {
+        const std::size_t at = (2 * i + 1) * all / (2 * n);
+        pilot.push_back({static_cast<std::uint32_t>(at / each),
+                         static_cast<std::uint32_t>(at % each)});
+    }
+    double seconds = 0.0;
+    run_histories(ready, plan, samples, pilot, 1,
+                  [&](WallKey, const WallDraw&, ShakenHistory&& h) { seconds += h.seconds; });
+    const double mean = seconds / static_cast<double>(n);
+    return {all, "histories", mean, mean * static_cast<double>(all)};
+}
+
 void check_size(const Study& study, const HistoryPlan& plan)
 {
     const double all = static_cast<double>(histories_per_wall(plan)) * samples_of(study);
@@ -239,9 +262,7 @@ int shake_study_command(const Command& command)
     study.solver.kinematics = dem::Kinematics::finite; // whatever the default of a push
     std::cerr << study_notes(ready, command.verb);
     if (!command.script.empty())
-        throw ConfigError("drystone", 0, "--slurm",
-                          "writes no job array of a study that shakes walls yet; give each "
-                          "job its --shard I/N");
+        return write_slurm_script(shaking_work(ready, plan), command);
     const fs::path file = shard_file(command.out, command.shard);
     const bool whole_study = command.shard.count == 1;
     if (whole_study)

@@ -167,21 +167,24 @@ std::string slurm_script(const Command& command, int shards, double minutes)
 
 } // namespace
 
-int write_slurm_script(const PreparedStudy& ready, const Command& command)
+StudyWork pushing_work(const PreparedStudy& ready)
+{
+    const double each = seconds_per_wall(ready);
+    return {wall_count(ready.study), "walls", each, effort(ready) * each};
+}
+
+int write_slurm_script(const StudyWork& work, const Command& command)
 {
     if (const std::string note = check_replaced(command.script, kHead); !command.quiet)
         std::cerr << note;
-    const Study& study = ready.study;
-    const double seconds = seconds_per_wall(ready);
-    const std::size_t walls = wall_count(study);
     const int shards = command.shard.count > 1
                            ? command.shard.count
-                           : shard_count(walls, effort(ready) * seconds, command.threads);
-    const double minutes = effort(ready) * seconds / 60.0 / shards / command.threads;
+                           : shard_count(work.runs, work.all, command.threads);
+    const double minutes = work.all / 60.0 / shards / command.threads;
     const fs::path file = command.script;
     if (file.has_parent_path()) make_folder(file.parent_path());
     write_file(file, slurm_script(command, shards, minutes));
-    std::cout << walls << " walls of " << number(seconds, 2) << " s, " << shards
+    std::cout << work.runs << " " << work.name << " of " << number(work.each, 2) << " s, " << shards
               << " shards of about " << fixed(minutes, 1) << " minutes on " << command.threads
               << " threads; submit with: bash " << command.script << '\n';
     return 0;

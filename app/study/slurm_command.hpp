@@ -4,11 +4,24 @@
 #include "app/input/command.hpp"
 #include "app/input/prepared_study.hpp"
 
+#include <cstddef>
+#include <string>
+
 namespace app {
 
+/// What a study has to do.
+struct StudyWork {
+    std::size_t runs = 0;  ///< of one wall each: most shards that make sense
+    std::string name;      ///< of such runs: "walls"
+    double each = 0.0;     ///< [s] of one core for one
+    double all = 0.0;      ///< [s] of one core for the study
+};
+
 /// Runs one register of walls to know what a wall takes.
+[[nodiscard]] StudyWork pushing_work(const PreparedStudy& ready);
+
 /// @return exit code
 /// @throws ConfigError
-[[nodiscard]] int write_slurm_script(const PreparedStudy& ready, const Command& command);
+[[nodiscard]] int write_slurm_script(const StudyWork& work, const Command& command);
 
 } // namespace app

@@ -113,7 +113,7 @@ int study_command(const Command& command, const FrameTaker& frames)
     const Study& study = ready.study;
     check_stop(study, command);
     std::cerr << study_notes(ready, command.verb);
-    if (!command.script.empty()) return write_slurm_script(ready, command);
+    if (!command.script.empty()) return write_slurm_script(pushing_work(ready), command);
     StudyRun run;
     run.file = shard_file(command.out, command.shard);
     run.shard = command.shard;

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # test_slurm.sh PROGRAM COMPARE   a study as an array of four shards on a real Slurm cluster of two nodes on
 # this machine; one node is killed while it works and its shards requeued; merged, the study has the same
-# bits as run at once. Skipped (77) without Slurm or root.
+# bits as run at once, and so has a study of histories after it. Skipped (77) without Slurm or root.
 set -euo pipefail
 
 program=$1 compare=$2
@@ -44,3 +44,15 @@ done
 cat "$work"/array.h5.logs/merge.log
 "$compare" "$work/whole.h5" "$work/array.h5"
 ((${requeued-0} > 0)) || { echo "nothing was requeued"; exit 1; }
+
+shaken=(--set 'shaking.records=kanai_tajimi(peak 0.3 g, duration 1 s, records 2)' --set 'shaking.intensities=0.2, 0.5 g'
+    --set load.mass=floor --set solver.kinematics=finite --set uq.samples=3)
+"$program" study "$study" --out "$work/shaken.h5" --quiet "${shaken[@]}" >/dev/null
+"$program" study "$study" --out "$work/shaken_array.h5" "${shaken[@]}" --threads 1 --shard '*/3' \
+    --slurm "$work/shaken.sh" --quiet
+bash "$work/shaken.sh"
+for _ in {1..300}; do
+    [[ -n $(squeue -h) ]] || break
+    sleep 0.2
+done
+"$compare" "$work/shaken.h5" "$work/shaken_array.h5"

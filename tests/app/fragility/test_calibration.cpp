@@ -269,7 +269,8 @@ TEST_CASE("calibration: columns of the path that cannot be read are refused",
         Catch::Contains("t.csv:2: ") && Catch::Contains("nothing was measured in this row"));
 }
 
-TEST_CASE("calibration: the verb learns from a force at a displacement", "[app][calibration]")
+TEST_CASE("calibration: the verb learns from a force at a displacement",
+          "[app][calibration][repeats]") // chains are long; one under sanitizers is enough
 {
     const Calibrating c(kTwoInputs);
     REQUIRE(c.run("stress,force at 2 mm [kN],force at 90 mm [kN]\n0.5,15,1\n1,22,NA\n",
@@ -307,7 +308,7 @@ TEST_CASE("calibration: the verb learns from the energy of a cycle, in J or kJ",
 }
 
 TEST_CASE("calibration: the verb predicts under a further stress, and says what it cannot use",
-          "[app][calibration]")
+          "[app][calibration][repeats]")
 {
     // a law of closure has no value for each stress
     Calibrating c(kTwoInputs + "discrepancy = no\n");
