@@ -61,7 +61,7 @@ case_study_shaken() {
         --set 'shaking.intensities=0.2, 0.4 g'
     run fragility study.h5 --quiet
 }
-case_shake() { run shake ../configs/shaken.ini --out . --quiet --threads 2; }
+case_shake() { run shake ../configs/shaken.ini --out . --quiet; }
 case_study_layouts() { study rubble --set uq.samples=4 --set load.max_displacement=2mm --set wall.layouts=2 "${simple[@]}"; }
 case_push_wall() { push wall; }
 case_push_rubble() { push rubble --sample mean --set load.max_displacement=6mm; }
