@@ -50,7 +50,7 @@ double three_largest(const std::vector<double>& line, double sign)
     return sum;
 }
 
-/// What a measure is told in its brackets.
+/// The content of the brackets of a measure.
 enum class Needs { nothing, period, block };
 
 struct MeasureRow {

@@ -46,7 +46,7 @@ SufficiencyTest test_sufficiency(std::span<const CloudPoint> points, const Cloud
         return SufficiencyTest{outcome, std::move(reason), 1.0};
     };
     if (fit.outcome != ModelOutcome::converged) return refused(fit.outcome, fit.reason);
-    // What the line explains of the feature, in the metric of the information, is taken off.
+    // The part of the feature that the line explains, in the metric of the information.
     Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
     Eigen::Vector2d shared = Eigen::Vector2d::Zero();
     double own = 0.0;

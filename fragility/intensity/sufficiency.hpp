@@ -1,6 +1,6 @@
 #pragma once
-/// Sufficiency of a measure of intensity (Luco & Cornell 2007, Earthquake Spectra 23): given the
-/// measure, does the response still depend on another feature of the record?
+/// Sufficiency of a measure of intensity (Luco & Cornell 2007, Earthquake Spectra 23): given
+/// the measure, does the response still depend on another feature of the record?
 
 #include "fragility/intensity/cloud.hpp"
 #include "fragility/limits/model_outcome.hpp"
