@@ -9,7 +9,7 @@
 
 namespace app {
 
-/// What a study has to do.
+/// The runs of a study and their cost.
 struct StudyWork {
     std::size_t runs = 0;  ///< of one wall each: most shards that make sense
     std::string name;      ///< of such runs: "walls"

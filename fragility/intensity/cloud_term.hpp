@@ -1,5 +1,5 @@
 #pragma once
-/// What one response tells about a cloud. Internal to fragility/intensity/.
+/// Likelihood of one response of a cloud. Internal to fragility/intensity/.
 
 #include "fragility/fits/observation.hpp"
 #include "fragility/laws/standard_law.hpp"

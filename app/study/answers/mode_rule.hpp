@@ -14,8 +14,8 @@ namespace app {
 /// directions."; empty of a push that goes one way.
 [[nodiscard]] std::string backbone_text(const Study& study);
 
-/// What the interval of a share of a mode (mode_share.hpp) allows for: "whatever mode the walls
-/// that failed would have had".
+/// Condition under which the interval of a share of a mode (mode_share.hpp) holds: "whatever
+/// mode the walls that failed would have had".
 [[nodiscard]] std::string whatever_mode_text(const FragilityInput& f);
 
 /// "Mixed: ...; otherwise rocking", with the thresholds; no full stop.
