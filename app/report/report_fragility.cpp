@@ -169,10 +169,10 @@ Json fragility_json(const DriftData& data)
 Json modes_json(const StudyWalls& study)
 {
     const bool may_change = study.study.fragility.mode.modes == dem::ModeRule::mechanism;
-    Json modes = {{"levels", Json::array()},
-                  {"note", ""},
-                  {"either_way",
-                   may_change ? "walls that failed or still stood" : "walls that failed"}};
+    Json modes = {
+        {"levels", Json::array()},
+        {"note", ""},
+        {"either_way", may_change ? "walls that failed or still stood" : "walls that failed"}};
     std::vector<ModeCount> counts;
     for (std::size_t level = 0; level < study.levels.size(); ++level) {
         const ModeCount c = mode_count(study, level);

@@ -218,8 +218,8 @@ StudyWork shaking_work(const PreparedStudy& ready, const HistoryPlan& plan)
     const std::size_t n = std::min<std::size_t>(dem::solver_lanes(), all);
     for (std::size_t i = 0; i < n; ++i) {
         const std::size_t at = (2 * i + 1) * all / (2 * n);
-        pilot.push_back({static_cast<std::uint32_t>(at / each),
-                         static_cast<std::uint32_t>(at % each)});
+        pilot.push_back(
+            {static_cast<std::uint32_t>(at / each), static_cast<std::uint32_t>(at % each)});
     }
     double seconds = 0.0;
     run_histories(ready, plan, samples, pilot, 1,
@@ -261,8 +261,7 @@ int shake_study_command(const Command& command)
     check_size(study, plan);
     study.solver.kinematics = dem::Kinematics::finite; // whatever the default of a push
     std::cerr << study_notes(ready, command.verb);
-    if (!command.script.empty())
-        return write_slurm_script(shaking_work(ready, plan), command);
+    if (!command.script.empty()) return write_slurm_script(shaking_work(ready, plan), command);
     const fs::path file = shard_file(command.out, command.shard);
     const bool whole_study = command.shard.count == 1;
     if (whole_study)

@@ -184,9 +184,9 @@ int write_slurm_script(const StudyWork& work, const Command& command)
     const fs::path file = command.script;
     if (file.has_parent_path()) make_folder(file.parent_path());
     write_file(file, slurm_script(command, shards, minutes));
-    std::cout << work.runs << " " << work.name << " of " << number(work.each, 2) << " s, " << shards
-              << " shards of about " << fixed(minutes, 1) << " minutes on " << command.threads
-              << " threads; submit with: bash " << command.script << '\n';
+    std::cout << work.runs << " " << work.name << " of " << number(work.each, 2) << " s, "
+              << shards << " shards of about " << fixed(minutes, 1) << " minutes on "
+              << command.threads << " threads; submit with: bash " << command.script << '\n';
     return 0;
 }
 

@@ -11,10 +11,10 @@ namespace app {
 
 /// The runs of a study and their cost.
 struct StudyWork {
-    std::size_t runs = 0;  ///< of one wall each: most shards that make sense
-    std::string name;      ///< of such runs: "walls"
-    double each = 0.0;     ///< [s] of one core for one
-    double all = 0.0;      ///< [s] of one core for the study
+    std::size_t runs = 0; ///< of one wall each: most shards that make sense
+    std::string name;     ///< of such runs: "walls"
+    double each = 0.0;    ///< [s] of one core for one
+    double all = 0.0;     ///< [s] of one core for the study
 };
 
 /// Runs one register of walls to know what a wall takes.

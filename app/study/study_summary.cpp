@@ -56,8 +56,7 @@ StudySummary summarise(const StudyWalls& walls)
     s.table.caption =
         "Walls per vertical stress. Errors are standard errors of independent samples; those "
         "of a Latin hypercube are smaller. The " +
-        percent_text(f.confidence) +
-        " interval of a share holds " + whatever_mode_text(f) +
+        percent_text(f.confidence) + " interval of a share holds " + whatever_mode_text(f) +
         ". "
         "Ultimate: where the " +
         ultimate_text(f) +

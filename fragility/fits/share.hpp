@@ -7,10 +7,10 @@
 namespace fragility {
 
 struct Share {
-    double count = 0.0;  ///< walls of this mode
-    double n = 0.0;      ///< walls with a result
-    double failed = 0.0; ///< walls without: each could have been of any mode
-    double value = 0.0;  ///< count / n; 0 if n is 0
+    double count = 0.0;        ///< walls of this mode
+    double n = 0.0;            ///< walls with a result
+    double failed = 0.0;       ///< walls without: each could have been of any mode
+    double value = 0.0;        ///< count / n; 0 if n is 0
     core::Interval interval{}; ///< holds the probability whatever the undecided walls would be
 };
 

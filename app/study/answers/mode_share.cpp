@@ -15,8 +15,9 @@ fragility::Share mode_share(const StudyLevel& level, int mode, double confidence
     };
     fragility::Undecided standing;
     if (mode != kAllModes)
-        standing = {count([&](const StudyWall& w) { return is_of(w) && w.reading.mode_so_far; }),
-                    count([&](const StudyWall& w) { return !is_of(w) && w.reading.mode_so_far; })};
+        standing = {
+            count([&](const StudyWall& w) { return is_of(w) && w.reading.mode_so_far; }),
+            count([&](const StudyWall& w) { return !is_of(w) && w.reading.mode_so_far; })};
     return fragility::share(count(is_of), static_cast<double>(level.walls.size()),
                             static_cast<double>(level.failed_walls.size()), kind, confidence,
                             standing);
