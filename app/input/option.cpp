@@ -139,7 +139,7 @@ std::vector<Option> table()
          [](Command& c, Text v) { c.walls = whole_number(v, 0, 1e6); }},
         {"title", "TEXT", "title of the page (default: name of the study)", "report study sheet", false,
          [](Command& c, Text v) { c.title = some_text(v); }},
-        {"measure", "NAME", "further measure of intensity, such as \"sa(0.5 s)\", \"avg_sa(0.5 s)\" or \"fiv3(0.5 s)\"; may be repeated", "record", true,
+        {"measure", "NAME", "further measure of intensity, such as \"sa(0.5 s)\", \"avg_sa(0.5 s)\", \"fiv3(0.5 s)\" or \"rocking_pgv(0.5 m, 0.6 m)\"; may be repeated", "record", true,
          [](Command& c, Text v) { c.measures.push_back(some_text(v)); }},
         {"acceleration-unit", "UNIT", "unit of the accelerations of a file, in place of the one that it states: g, m/s2, cm/s2, mm/s2 or g/10", "record", false,
          [](Command& c, Text v) { c.unit = some_text(v); }},
