@@ -120,7 +120,7 @@ Films films_of(const StoredHistories& stored, const std::filesystem::path& file,
         const double drift = wall.result.most_displacement / wall.result.top_height;
         different += drift == h->max_drift ? 0 : 1;
         films.all.push_back({film_caption(stored, l, *h, wall),
-                             shaken_film(wall, stone_tints(again->study().layout))});
+                             shaken_film(wall, stone_tints(again->study_of(*h).layout))});
     }
     progress.finish("films");
     if (different > 0)

@@ -1,7 +1,6 @@
 #include "app/shake/history_plan.hpp"
 
 #include "app/input/study_reading.hpp"
-#include "app/input/wall/random_layouts.hpp"
 #include "app/shake/history_row.hpp"
 #include "app/store/store_reader.hpp"
 #include "app/study/stored/history_names.hpp"
@@ -67,10 +66,6 @@ HistoryPlan history_plan(const PreparedStudy& ready)
 {
     const Study& study = ready.study;
     check_shaken_study(study);
-    if (has_layouts(study))
-        throw error_at(study.source, "wall.layouts",
-                       "walls in several random layouts cannot be shaken in one study; write "
-                       "layouts = 1, and one study for each wall.seed");
     if (study.uq.stop != kNoStop)
         throw error_at(study.source, "uq.stop",
                        "a study of walls that are shaken has no such rule; remove it, and give "

@@ -1,5 +1,6 @@
 #include "app/shake/shake_again.hpp"
 
+#include "app/input/wall/random_layouts.hpp"
 #include "app/shake/shaken_film.hpp"
 
 #include <utility>
@@ -7,8 +8,9 @@
 namespace app {
 
 ShakenAgain::ShakenAgain(const StoredHistories& stored, const std::filesystem::path& file)
-    : ready_(shaken_study(lay_again(stored.study), 0)), plan_(history_plan(ready_))
+    : ready_(lay_again(stored.study)), plan_(history_plan(ready_))
 {
+    ready_.study.solver.kinematics = dem::Kinematics::finite; // whatever the default of a push
     refuse_changed_records(ready_.study, plan_, file);
     samples_ = sample_plan(ready_.study, ready_.layout, stored_walls(stored.head, plan_));
 }
@@ -19,9 +21,16 @@ ShakenWall ShakenAgain::history(std::size_t level, const StoredHistory& of,
     const auto at = static_cast<int>(level);
     const WantedWall wall{at, draw(samples_, at, static_cast<int>(of.wall))};
     ShakenWall again;
-    shake_wall(ready_, wall, {shaking_motion(plan_.records, of.record, of.intensity)},
+    shake_wall(study_of(of), wall, {shaking_motion(plan_.records, of.record, of.intensity)},
                kShakenFrame, seen, [&](ShakenWall&& w) { again = std::move(w); });
     return again;
+}
+
+PreparedStudy ShakenAgain::study_of(const StoredHistory& history) const
+{
+    const Study& study = ready_.study;
+    if (!has_layouts(study)) return ready_;
+    return in_layout(study, layout_seed(study, static_cast<std::uint32_t>(history.wall)));
 }
 
 } // namespace app

@@ -20,7 +20,8 @@ class ShakenAgain {
     /// @throws ConfigError where the wall cannot be shaken
     [[nodiscard]] ShakenWall history(std::size_t level, const StoredHistory& of,
                                      const ShakeProgress& seen) const;
-    [[nodiscard]] const PreparedStudy& study() const { return ready_; }
+    /// The study in the layout of that wall.
+    [[nodiscard]] PreparedStudy study_of(const StoredHistory& history) const;
 
   private:
     PreparedStudy ready_;

@@ -2,6 +2,7 @@
 
 #include "app/input/key_effects.hpp"
 #include "app/input/study_reading.hpp"
+#include "app/input/wall/random_layouts.hpp"
 #include "app/output/atomic_output.hpp"
 #include "app/output/picture/markup.hpp"
 #include "app/output/progress.hpp"
@@ -37,7 +38,19 @@ namespace fs = std::filesystem;
 
 constexpr double kNoHistory = 1e9; // [s] between points that are not kept
 
-/// Shakes the walls of a study and hands out their rows.
+struct Begun {
+    WallDraw draw;
+    ShakenHistory history;
+};
+
+Begun begun_of(const HistoryPlan& plan, const SamplePlan& samples, const WallKey& key)
+{
+    const HistoryOf of = history_of(plan, key.sample);
+    return {draw(samples, static_cast<int>(key.level), static_cast<int>(of.wall)),
+            {of, shaking_motion(plan.records, of.record, of.intensity), {}, {}, 0.0}};
+}
+
+/// Shakes walls of one layout and hands out their rows.
 class HistoryRuns {
   public:
     using Done = std::function<void(WallKey, const WallDraw&, ShakenHistory&&)>;
@@ -67,11 +80,6 @@ class HistoryRuns {
     }
 
   private:
-    struct Begun {
-        WallDraw draw;
-        ShakenHistory history;
-    };
-
     [[nodiscard]] WallKey wall_of(const WallKey& history) const
     {
         const HistoryOf of = history_of(plan_, history.sample);
@@ -92,9 +100,7 @@ class HistoryRuns {
     {
         end_if_interrupted();
         const WallKey key = histories_[i];
-        const HistoryOf of = history_of(plan_, key.sample);
-        Begun begun{draw(samples_, static_cast<int>(key.level), static_cast<int>(of.wall)),
-                    {of, shaking_motion(plan_.records, of.record, of.intensity), {}, {}, 0.0}};
+        Begun begun = begun_of(plan_, samples_, key);
         dem::HistoryInput in;
         try {
             in.materials =
@@ -249,8 +255,35 @@ void run_histories(const PreparedStudy& ready, const HistoryPlan& plan,
 {
     if (histories.empty()) return;
     const auto most = static_cast<int>(std::min<std::size_t>(histories.size(), 1024));
+    const int used = std::clamp(threads, 1, most);
     const std::vector<WallKey> order = longest_first(plan, histories);
-    HistoryRuns(ready, plan, samples, order, done).run(std::clamp(threads, 1, most));
+    const Study& study = ready.study;
+    if (!has_layouts(study)) return HistoryRuns(ready, plan, samples, order, done).run(used);
+    std::map<std::uint32_t, std::vector<WallKey>> of_layout; // by its seed
+    for (const WallKey& key : order) {
+        const std::size_t wall = history_of(plan, key.sample).wall;
+        of_layout[layout_seed(study, static_cast<std::uint32_t>(wall))].push_back(key);
+    }
+    for (const auto& [seed, some] : of_layout) {
+        std::optional<PreparedStudy> own;
+        std::optional<HistoryRuns> runs;
+        const auto refuse = [&](const std::exception& bad) {
+            for (const WallKey& key : some) {
+                Begun begun = begun_of(plan, samples, key);
+                begun.history.no_wall = bad.what();
+                done(key, begun.draw, std::move(begun.history));
+            }
+        };
+        try {
+            own = in_layout(study, seed);
+            runs.emplace(*own, plan, samples, some, done);
+        } catch (const ConfigError& bad) {
+            refuse(bad);
+        } catch (const std::invalid_argument& bad) {
+            refuse(bad);
+        }
+        if (runs) runs->run(used);
+    }
 }
 
 int shake_study_command(const Command& command)

@@ -3,6 +3,7 @@
 #include "app/fragility/intensity/intensity_data.hpp"
 #include "app/fragility/intensity/intensity_output.hpp"
 #include "app/input/prepared_study.hpp"
+#include "app/shake/shake_again.hpp"
 #include "app/shake/shake_study.hpp"
 #include "app/store/store_reader.hpp"
 #include "app/study/stored/stored_histories.hpp"
@@ -273,10 +274,42 @@ TEST_CASE("shake study: a record that has changed is refused in a sentence", "[a
     CHECK_THROWS_WITH(
         study.run("a.h5", 1, {"shaking.records=wave.txt, half_sine(peak 1 g, duration 0.2 s)"}),
         Contains("shaking.records: record 1 is"));
-    CHECK_THROWS_WITH(study.run("b.h5", 1, {"wall.layouts=2", "wall.bond=rubble"}),
-                      Contains("layouts") || Contains("rubble"));
     CHECK_THROWS_WITH(study.run("b.h5", 1, {"uq.audit=1"}), Contains("uq.audit: pushes walls"));
     CHECK_FALSE(fs::exists(study.path / "b.h5"));
+}
+
+TEST_CASE("shake study: walls in layouts of their own are those of each layout alone",
+          "[app][shake]")
+{
+    const ShakenStudy study;
+    const std::vector<std::string> random = {"wall.bond=running", "wall.unit_length_cov=0.1",
+                                             "wall.length=0.9 m", "uq.samples=3"};
+    const auto run = [&](const char* file, const std::vector<std::string>& more) {
+        std::vector<std::string> all = random;
+        all.insert(all.end(), more.begin(), more.end());
+        REQUIRE(study.run(file, 2, all) == 0);
+        return study.rows(file);
+    };
+    const auto both = run("both.h5", {"wall.layouts=2", "wall.seed=5"});
+    const auto first = run("first.h5", {"wall.seed=5"}),
+               second = run("second.h5", {"wall.seed=6"});
+    REQUIRE(both.size() == 27);
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < both.size(); ++i) {
+        const bool odd = i / 9 % 2 == 1; // nine histories of each wall
+        CHECK(bits_of(both[i].responses) == bits_of((odd ? second : first)[i].responses));
+        different += bits_of(first[i].responses) == bits_of(second[i].responses) ? 0 : 1;
+    }
+    CHECK(different == both.size());
+    // and a film shakes the wall in its own layout
+    const app::StoredHistories stored = app::read_histories(study.path / "both.h5");
+    const app::ShakenAgain again(stored, study.path / "both.h5");
+    for (const std::size_t i : {0, 9}) {
+        const app::StoredHistory& h = stored.levels.front().histories[i];
+        const app::ShakenWall wall =
+            again.history(0, h, [](const app::ShakingMotion&, double, double) {});
+        CHECK(wall.result.most_displacement / wall.result.top_height == h.max_drift);
+    }
 }
 
 TEST_CASE("shake study: fragility on the intensity, with rates and files for others",
