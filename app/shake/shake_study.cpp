@@ -264,7 +264,8 @@ void run_histories(const PreparedStudy& ready, const HistoryPlan& plan,
         const std::size_t wall = history_of(plan, key.sample).wall;
         of_layout[layout_seed(study, static_cast<std::uint32_t>(wall))].push_back(key);
     }
-    for (const auto& [seed, some] : of_layout) {
+    for (const auto& layout : of_layout) {
+        const std::vector<WallKey>& some = layout.second;
         std::optional<PreparedStudy> own;
         std::optional<HistoryRuns> runs;
         const auto refuse = [&](const std::exception& bad) {
@@ -275,7 +276,7 @@ void run_histories(const PreparedStudy& ready, const HistoryPlan& plan,
             }
         };
         try {
-            own = in_layout(study, seed);
+            own = in_layout(study, layout.first);
             runs.emplace(*own, plan, samples, some, done);
         } catch (const ConfigError& bad) {
             refuse(bad);
