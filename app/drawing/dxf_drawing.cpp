@@ -93,6 +93,8 @@ void read_entities(DxfContent& content, DxfGroups& groups)
 
 RawDrawing read_dxf(const DrawingFrame& frame, std::string_view bytes, double snap)
 {
+    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf"; // of UTF-8
+    if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
     refuse_other_formats(frame, bytes);
     DxfContent content;
     content.drawing.frame = frame;

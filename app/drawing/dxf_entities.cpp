@@ -85,7 +85,9 @@ Attributes attributes_of(const DrawingFrame& frame, const DxfEntity& entity)
 
 void refuse_bulge(const DrawingFrame& frame, const DxfGroup& group, dem::Point at)
 {
-    if (dxf_number(frame, group) == 0.0) return;
+    // rise over half of the chord: programs that straighten arcs leave values such as 1e-12
+    constexpr double kStraight = 1e-7;
+    if (std::abs(dxf_number(frame, group)) <= kStraight) return;
     refuse(frame, group.line,
            "the side that begins at " + raw_coordinates(frame, at) +
                " is an arc (bulge); draw it as straight pieces (FLATTEN or PEDIT, Decurve)");
@@ -179,14 +181,22 @@ std::string upper_case(std::string_view name)
     return upper;
 }
 
+/// Name of the layer of an entity; without a group 8 it is on layer 0.
+std::string_view layer_of(const DxfEntity& entity)
+{
+    const DxfGroup* layer = find_group(entity, 8);
+    return layer ? layer->value : "0";
+}
+
 /// True for an entity that is invisible (group 60), or on a layer that is off or frozen; and
 /// for what follows a polyline that was passed over.
 bool count_hidden(DxfContent& content, const DxfEntity& entity)
 {
     if (entity.type == "VERTEX" || entity.type == "SEQEND") return true;
-    const DxfGroup *invisible = find_group(entity, 60), *layer = find_group(entity, 8);
-    if (layer && content.hidden_layers.contains(upper_case(layer->value))) {
-        ++content.hidden.on_layers[readable_name(layer->value)];
+    const DxfGroup* invisible = find_group(entity, 60);
+    const std::string_view layer = layer_of(entity);
+    if (content.hidden_layers.contains(upper_case(layer))) {
+        ++content.hidden.on_layers[readable_name(layer)];
         return true;
     }
     if (!invisible || dxf_integer(content.drawing.frame, *invisible) != 1) return false;

@@ -4,20 +4,14 @@
 #include "app/drawing/outlines/drawing_file.hpp"
 #include "app/drawing/svg_element.hpp"
 #include "app/drawing/svg_geometry.hpp"
-#include "app/drawing/svg_style.hpp"
+#include "app/drawing/svg_reading.hpp"
 #include "app/text/number_text.hpp"
-
-#include <expat.h>
 
 #include <algorithm>
 #include <array>
 #include <exception>
 #include <map>
-#include <memory>
-#include <new>
-#include <optional>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -34,9 +28,8 @@ struct SvgContent {
     std::size_t skipped = 0; ///< depth within an element that is passed over
     std::map<std::string, std::size_t> ignored;
     HiddenShapes hidden;
+    std::size_t clipped = 0; ///< outlines of which only a part is shown
     SvgStyleSheet sheet;
-    std::string sheet_text;
-    bool in_sheet = false;
     std::exception_ptr error; ///< kept while the parser, which is C, returns
 };
 
@@ -128,37 +121,6 @@ void refuse_shape(const SvgContent& content, const SvgElement& element, const Sv
     }
 }
 
-/// Unit of the drawing from width="1000mm" and viewBox="0 0 1000 800". px are units of the
-/// drawing, not lengths.
-void read_root(SvgContent& content, const SvgElement& element)
-{
-    const char *width = element.find("width"), *box = element.find("viewBox");
-    if (!width || !box) return;
-    const std::string_view text = width;
-    const std::size_t digits = std::min(text.find_first_not_of("0123456789.+-eE"), text.size());
-    std::size_t end = digits; // "1em" is not 1e
-    while (end > 0 && (text[end - 1] == 'e' || text[end - 1] == 'E')) --end;
-    const std::string_view unit = text.substr(end);
-    constexpr std::array<std::pair<std::string_view, double>, 7> kLengths = {
-        {{"mm", 1e-3},
-         {"cm", 1e-2},
-         {"m", 1.0},
-         {"in", 0.0254},
-         {"pt", 0.0254 / 72.0},
-         {"pc", 0.0254 / 6.0},
-         {"Q", 0.25e-3}}};
-    if (unit == "px")
-        content.drawing.notes.emplace_back(
-            "The file gives its width in px, which are not lengths.");
-    const std::optional<double> length = read_number(text.substr(0, end));
-    const auto known =
-        std::ranges::find_if(kLengths, [&](const auto& u) { return u.first == unit; });
-    const std::vector<SvgPoint> corners = svg_points(element.place, box);
-    if (known == kLengths.end() || !length || corners.size() != 2) return;
-    if (corners[1].x > 0.0 && *length > 0.0)
-        state_unit(content.drawing, *length * known->second / corners[1].x, "");
-}
-
 /// True for a shape that is not shown, or whose group is not.
 bool count_hidden(SvgContent& content, const SvgElement& element, const SvgGroup& group)
 {
@@ -194,7 +156,6 @@ void begin_element(SvgContent& content, std::string_view name, const XML_Char** 
         "defs",   "title",  "desc", "metadata", "style",  "script",         "clipPath",
         "marker", "symbol", "mask", "pattern",  "filter", "linearGradient", "radialGradient"};
     if (name.starts_with("svg:")) name.remove_prefix(4);
-    content.in_sheet = name == "style";
     if (content.skipped > 0) {
         ++content.skipped;
         return;
@@ -207,8 +168,8 @@ void begin_element(SvgContent& content, std::string_view name, const XML_Char** 
         if (name != "svg")
             refuse(content.drawing.frame, element.place.line,
                    "is not SVG: it begins with <" + readable_name(name.substr(0, 40)) + ">");
-        read_root(content, element);
-        return begin_group(content, element, {});
+        state_page_unit(content.drawing, element);
+        return begin_group(content, element, group_within({}, content.sheet, element));
     }
     if (name == "g" || name == "a" || name == "switch")
         return begin_group(content, element,
@@ -219,9 +180,22 @@ void begin_element(SvgContent& content, std::string_view name, const XML_Char** 
     if (std::ranges::find(kSilent, name) != kSilent.end()) return;
     const SvgGroup group = group_within(content.groups.back(), content.sheet, element);
     if (count_hidden(content, element, group)) return;
-    if (add_shape(content, element, group)) return;
+    if (add_shape(content, element, group)) {
+        content.clipped += group.clipped ? 1 : 0;
+        return;
+    }
     refuse_shape(content, element, group);
     ++content.ignored[readable_name(name.substr(0, 40))];
+}
+
+void note_clipped(SvgContent& content)
+{
+    if (content.clipped == 0) return;
+    const bool one = content.clipped == 1;
+    content.drawing.notes.push_back(counted(content.clipped, "shape has", "shapes have") +
+                                    " a clip path or a mask, which " + (one ? "is" : "are") +
+                                    " not read: " + (one ? "its" : "their") +
+                                    " whole outlines count.");
 }
 
 void XMLCALL on_begin(void* data, const XML_Char* name, const XML_Char** attributes)
@@ -239,20 +213,10 @@ void XMLCALL on_begin(void* data, const XML_Char* name, const XML_Char** attribu
 void XMLCALL on_end(void* data, const XML_Char*)
 {
     SvgContent& content = *static_cast<SvgContent*>(data);
-    if (content.in_sheet) {
-        content.in_sheet = false;
-        content.sheet.add(std::exchange(content.sheet_text, {}));
-    }
     if (content.skipped > 0)
         --content.skipped;
     else if (!content.groups.empty())
         content.groups.pop_back();
-}
-
-void XMLCALL on_text(void* data, const XML_Char* text, int length)
-{
-    SvgContent& content = *static_cast<SvgContent*>(data);
-    if (content.in_sheet) content.sheet_text.append(text, static_cast<std::size_t>(length));
 }
 
 } // namespace
@@ -262,13 +226,11 @@ RawDrawing read_svg(const DrawingFrame& frame, std::string_view bytes, double sn
     SvgContent content;
     content.drawing.frame = frame;
     content.snap = snap;
-    const std::unique_ptr<std::remove_pointer_t<XML_Parser>, decltype(&XML_ParserFree)> parser(
-        XML_ParserCreate(nullptr), XML_ParserFree);
-    if (!parser) throw std::bad_alloc();
+    content.sheet = svg_sheets(frame, bytes);
+    const SvgParser parser = svg_parser();
     content.parser = parser.get();
     XML_SetUserData(parser.get(), &content);
     XML_SetElementHandler(parser.get(), on_begin, on_end);
-    XML_SetCharacterDataHandler(parser.get(), on_text);
     const XML_Status status =
         XML_Parse(parser.get(), bytes.data(), static_cast<int>(bytes.size()), XML_TRUE);
     if (content.error) std::rethrow_exception(content.error);
@@ -279,6 +241,7 @@ RawDrawing read_svg(const DrawingFrame& frame, std::string_view bytes, double sn
     }
     note_ignored(content.drawing, content.ignored);
     note_hidden(content.drawing, content.hidden);
+    note_clipped(content);
     return std::move(content.drawing);
 }
 

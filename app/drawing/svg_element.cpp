@@ -10,15 +10,33 @@ namespace {
 SvgStyle style_of(const SvgStyleSheet& sheet, const SvgElement& element)
 {
     SvgStyle style;
-    for (const char* name : {"display", "visibility", "transform"})
+    const auto text_of = [&](const char* name) -> std::string_view {
+        const char* value = element.find(name);
+        return value ? value : "";
+    };
+    for (const char* name : {"display", "visibility", "opacity", "transform",
+                             "transform-origin", "clip-path", "mask"})
         if (const char* value = element.find(name)) style[name] = value;
-    if (const char* classes = element.find("class")) sheet.apply(style, classes);
+    sheet.apply(style, element.name, text_of("id"), text_of("class"));
     if (const char* text = element.find("style")) add_declarations(style, text);
     return style;
 }
 
+/// Properties of CSS that move an element besides its transform.
+void refuse_other_moves(const SvgElement& element, const SvgStyle& style)
+{
+    for (const char* name : {"translate", "rotate", "scale"}) {
+        const auto at = style.find(name);
+        if (at == style.end() || at->second == "none") continue;
+        refuse(*element.place.frame, element.place.line,
+               "the style has \"" + std::string(name) +
+                   "\", which is not read; apply the transforms in the drawing program");
+    }
+}
+
 SvgTransform transform_of(const SvgElement& element, const SvgStyle& style)
 {
+    refuse_other_moves(element, style);
     const auto at = style.find("transform");
     if (at == style.end() || at->second == "none") return {};
     const std::string plain = plain_transform(at->second);
@@ -44,7 +62,10 @@ SvgGroup group_within(SvgGroup group, const SvgStyleSheet& sheet, const SvgEleme
         const auto at = style.find(name);
         return at == style.end() ? "" : std::string_view(at->second);
     };
-    if (value("display") == "none") group.displayed = false;
+    if (value("display") == "none" || read_number(value("opacity")) == 0.0)
+        group.displayed = false;
+    for (const char* name : {"clip-path", "mask"})
+        if (!value(name).empty() && value(name) != "none") group.clipped = true;
     const std::string_view visibility = value("visibility");
     if (visibility == "hidden" || visibility == "collapse") group.visible = false;
     if (visibility == "visible") group.visible = true;

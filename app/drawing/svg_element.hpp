@@ -2,7 +2,7 @@
 /// An element of an SVG drawing, and what it hands down to those within it.
 
 #include "app/drawing/svg_geometry.hpp"
-#include "app/drawing/svg_style.hpp"
+#include "app/drawing/svg_sheet.hpp"
 
 #include <string>
 #include <string_view>
@@ -15,6 +15,7 @@ struct SvgGroup {
     std::string label, id; ///< of the innermost group that has one
     bool displayed = true; ///< display, which hides all that lies within
     bool visible = true;   ///< visibility, which what lies within may set anew
+    bool clipped = false;  ///< by a clip path or a mask
 
     [[nodiscard]] bool shown() const { return displayed && visible; }
     [[nodiscard]] const std::string& layer() const { return label.empty() ? id : label; }

@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace app {
 
@@ -15,18 +16,10 @@ using SvgStyle = std::map<std::string, std::string, std::less<>>;
 /// Later declarations replace earlier ones.
 void add_declarations(SvgStyle& style, std::string_view text);
 
-/// The rules of a style sheet whose selectors are single classes (".st0, .st1 {display:
-/// none}"), as drawing programs write them; others are passed over.
-class SvgStyleSheet {
-  public:
-    void add(std::string_view text);
+[[nodiscard]] std::string_view without_blanks(std::string_view text);
 
-    /// Adds what the rules of the classes "st0 st1" declare.
-    void apply(SvgStyle& style, std::string_view classes) const;
-
-  private:
-    std::map<std::string, SvgStyle, std::less<>> rules_;
-};
+/// The parts of a text between separators, without the blanks around them.
+[[nodiscard]] std::vector<std::string_view> style_parts(std::string_view text, char separator);
 
 /// The numbers of a CSS transform without units: "translate(10px, 0)" as the attribute has it,
 /// "translate(10, 0)". Empty if a number has another unit than px or deg.

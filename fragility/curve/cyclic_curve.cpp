@@ -52,10 +52,11 @@ Cycle cycle_between(const Path& p, std::size_t begin, std::size_t end, bool clos
     c.begin = begin;
     c.end = end;
     c.closed = closed;
-    std::size_t plus = begin, minus = begin;
+    // the first point may lie on the side that the path comes from: it is no extreme
+    std::size_t plus = begin > 0 ? begin + 1 : 0, minus = plus;
     for (std::size_t i = begin; i <= end; ++i) {
-        if (p.displacement[i] > p.displacement[plus]) plus = i;
-        if (p.displacement[i] < p.displacement[minus]) minus = i;
+        if (i >= plus && p.displacement[i] > p.displacement[plus]) plus = i;
+        if (i >= minus && p.displacement[i] < p.displacement[minus]) minus = i;
         c.force_plus = std::max(c.force_plus, p.force[i]);
         c.force_minus = std::min(c.force_minus, p.force[i]);
         if (i > begin)

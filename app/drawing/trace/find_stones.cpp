@@ -33,6 +33,15 @@ struct Colour {
     [[nodiscard]] bool is_opening() const { return code() == kOpeningColour; }
 };
 
+/// A magenta that a conversion of colours has changed a little.
+bool is_nearly_opening(int code)
+{
+    constexpr int kNear = 32; // of 255, a free choice
+    const int red = code >> 16, green = code >> 8 & 255, blue = code & 255;
+    return code != kOpeningColour && red >= 255 - kNear && green <= kNear &&
+           blue >= 255 - kNear;
+}
+
 /// Black where the pixel is more transparent than not.
 Colour colour_of(const Picture& picture, std::size_t pixel)
 {
@@ -108,13 +117,15 @@ std::vector<int> kinds_of(const Picture& picture, std::size_t pixels, const TwoG
 }
 
 struct Pieces {
-    std::size_t dirt = 0;      ///< pieces that were too small
-    std::size_t edges = 0;     ///< pieces of mixed colours
-    std::size_t covered = 0;   ///< pixels of stones
-    std::size_t open = 0;      ///< pixels of openings
-    std::size_t openings = 0;  ///< of the labels
-    std::size_t narrow = 0;    ///< stones no wider than an edge may be
-    std::size_t narrow_at = 0; ///< the first pixel of the first of them
+    std::size_t dirt = 0;       ///< pieces that were too small
+    std::size_t edges = 0;      ///< pieces of mixed colours
+    std::size_t covered = 0;    ///< pixels of stones
+    std::size_t open = 0;       ///< pixels of openings
+    std::size_t openings = 0;   ///< of the labels
+    std::size_t narrow = 0;     ///< stones no wider than an edge may be
+    std::size_t narrow_at = 0;  ///< the first pixel of the first of them
+    std::size_t magenta = 0;    ///< stones of a colour that is nearly that of an opening
+    std::size_t magenta_at = 0; ///< the first pixel of the first of them
 };
 
 /// @param coloured a colour may be a mixture of others
@@ -140,6 +151,8 @@ Pieces number_pieces(const DrawingFrame& frame, Labels& labels, const std::vecto
             std::ranges::none_of(piece, [&](std::size_t p) { return inner[p]; }) &&
             pieces.narrow++ == 0)
             pieces.narrow_at = i;
+        if (coloured && is_nearly_opening(kind[i]) && pieces.magenta++ == 0)
+            pieces.magenta_at = i;
         if (labels.stones >= static_cast<int>(kMostBlocks)) {
             refuse(frame, 0,
                    "has more than " + std::to_string(kMostBlocks) +
@@ -224,6 +237,12 @@ Labels find_stones(const DrawingFrame& frame, const Picture& picture, PixelSize 
         notes.push_back(counted(pieces.narrow, "stone is", "stones are") + " at most " +
                         std::to_string(kWidestEdge) + " pixels wide, such as the one at " +
                         place_of(pieces.narrow_at, labels) + ".");
+    }
+    if (pieces.magenta > 0) {
+        notes.push_back(counted(pieces.magenta, "stone is", "stones are") +
+                        " nearly magenta, such as the one at " +
+                        place_of(pieces.magenta_at, labels) +
+                        "; an opening is exactly (255, 0, 255).");
     }
     if (pieces.dirt > 0) {
         notes.push_back(counted(pieces.dirt, "area", "areas") + " smaller than " +

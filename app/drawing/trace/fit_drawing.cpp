@@ -56,8 +56,16 @@ void check_size(const RawDrawing& raw, const dem::Region& e)
 
 void note_unit(RawDrawing& raw, const dem::Region& e)
 {
-    if (raw.own_unit <= 0.0) return;
     const double unit = raw.frame.unit;
+    if (raw.own_unit <= 0.0) {
+        if (raw.frame.unit_given) return;
+        raw.notes.push_back("The file states no unit of length; one unit was read as " +
+                            millimetres(unit) + ", and the wall is " +
+                            number((e.x1 - e.x0) * unit, 4) + " x " +
+                            number((e.z1 - e.z0) * unit, 4) +
+                            " m. Set wall.length_unit if that is not its size.");
+        return;
+    }
     const std::string says =
         "The file says that its unit is " +
         (raw.own_unit_name.empty() ? number(raw.own_unit * 1e3, 6) + " mm" : raw.own_unit_name);

@@ -141,7 +141,7 @@ TEST_CASE(
     CHECK(scenes::notes(wall(5, false),
                         "The file says that its unit is cm; the wall is 2 x 1 m. "
                         "Set wall.length_unit to override."));
-    CHECK(wall(0, false).notes.empty());
+    CHECK(scenes::notes(wall(0, false), "states no unit of length"));
     CHECK(scenes::area(wall(14, true)) == Approx(0.02));
     CHECK(scenes::notes(wall(14, true), "unit is dm; it was read with a unit of 1 mm"));
 }
@@ -246,4 +246,43 @@ TEST_CASE(
                               "(wall.close_outlines); the gap was 100 mm, of line 30."));
     CHECK_THAT(scenes::refusal("w.dxf", dxf_text(block + two), options),
                Catch::Contains("is open"));
+}
+
+TEST_CASE("dxf drawing: an entity without a layer is on layer 0, hidden if that is off",
+          "[app][dxf_drawing]")
+{
+    const std::string bare =
+        "0\nLWPOLYLINE\n90\n4\n70\n1\n10\n0\n20\n1\n10\n2\n20\n1\n10\n2\n20\n2\n"
+        "10\n0\n20\n2\n";
+    const auto file = [&](int colour) {
+        return drawing_of("w.dxf",
+                          "0\nSECTION\n2\nTABLES\n0\nLAYER\n2\n0\n70\n0\n62\n" +
+                              std::to_string(colour) + "\n0\nENDSEC\n" +
+                              dxf_text(lwpolyline(rectangle(0, 0, 2, 1), true, "wall") + bare),
+                          {.unit = 1.0});
+    };
+    CHECK(file(7).blocks.size() == 2);
+    CHECK(file(-7).blocks.size() == 1);
+    CHECK(scenes::notes(file(-7), "1 hidden layer (0) with 1 shape was ignored"));
+}
+
+TEST_CASE(
+    "dxf drawing: bulges of no height are straight sides, and a byte order mark is no code",
+    "[app][dxf_drawing]")
+{
+    const auto file = [&](const std::string& bulge) {
+        return dxf_text(lwpolyline(rectangle(0, 0, 2, 1)) + "42\n" + bulge + "\n");
+    };
+    CHECK(area(drawing_of("w.dxf", "\xef\xbb\xbf" + file("-1e-12"), {.unit = 1.0})) == 2.0);
+    CHECK_THAT(scenes::refusal("w.dxf", file("1e-3"), {.unit = 1.0}),
+               Catch::Contains("is an arc (bulge)"));
+}
+
+TEST_CASE("dxf drawing: a file without a unit of length says what it was read in",
+          "[app][dxf_drawing]")
+{
+    const std::string text = dxf_text(lwpolyline(rectangle(0, 0, 200, 100)));
+    CHECK(scenes::notes(drawing_of("w.dxf", text, {.unit = 1e-3, .unit_given = false}),
+                        "one unit was read as 1 mm, and the wall is 0.2 x 0.1 m."));
+    CHECK(drawing_of("w.dxf", text, {.unit = 1e-2}).notes.empty());
 }

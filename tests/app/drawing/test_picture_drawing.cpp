@@ -555,4 +555,6 @@ TEST_CASE(
     CHECK(drawing.blocks.size() == (opening ? 4 : 5));
     CHECK(area(drawing) == Approx(1.2 - (opening ? 0.36 * 0.48 : 0.0)).epsilon(1e-9));
     CHECK(notes(drawing, "1 magenta area of 0.1728 m2 is an opening.") == opening);
+    CHECK(notes(drawing, "1 stone is nearly magenta, such as the one at pixel (42, 52)") ==
+          !opening);
 }

@@ -146,6 +146,26 @@ TEST_CASE("cyclic curve: cycles are parted where the path comes back to zero",
         CHECK(c[1].begin == 2);
         CHECK_FALSE(c[1].closed);
     }
+    SECTION("no point at zero before a cycle of one side, which has no other extreme")
+    {
+        // as a recorder writes it: the point before lies on the side that the path comes from
+        for (const double sign : {1.0, -1.0}) {
+            OwnedPath p{{0, 3, 3, 0.1, -0.1, -3, -3, -0.1, 0.1, 8, 8, 0},
+                        {0, 2, -2, -2, -2, -2, 2, 2, 2, 2, -2, -2}};
+            for (double& d : p.displacement) d *= sign;
+            for (double& f : p.force) f *= sign;
+            const auto c = cycles(p);
+            REQUIRE(c.size() == 2);
+            const Cycle& last = c.back();
+            CHECK(amplitude(last) == 8.0);
+            CHECK(last.displacement_plus - last.displacement_minus == 8.0);
+            CHECK(last.force_at_plus == (sign > 0.0 ? 2.0 : 0.0));
+            CHECK(last.force_at_minus == (sign > 0.0 ? 0.0 : -2.0));
+            CHECK(secant_stiffness(last).value() == near(2.0 / 8.0));
+            CHECK(equivalent_damping(last).value() ==
+                  near(last.energy / (std::numbers::pi * 16.0)));
+        }
+    }
     SECTION("a path that ends beside zero has come back")
     {
         CHECK(cycles(OwnedPath{{0, 2, -2, -0.019}, {0, 1, -1, 0}}).back().closed);

@@ -1,0 +1,128 @@
+#include "app/drawing/svg_reading.hpp"
+
+#include "app/drawing/outlines/drawing_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <new>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace app {
+namespace {
+
+struct SheetReading {
+    XML_Parser parser = nullptr;
+    SvgStyleSheet sheet;
+    std::string text;
+    bool in_sheet = false;
+    std::string unread; ///< the first selector that is not read, though it matters
+    int unread_line = 0;
+};
+
+void XMLCALL on_sheet_begin(void* data, const XML_Char* name, const XML_Char**)
+{
+    const std::string_view element = name;
+    static_cast<SheetReading*>(data)->in_sheet = element == "style" || element == "svg:style";
+}
+
+void XMLCALL on_sheet_text(void* data, const XML_Char* text, int length)
+{
+    SheetReading& reading = *static_cast<SheetReading*>(data);
+    if (reading.in_sheet) reading.text.append(text, static_cast<std::size_t>(length));
+}
+
+void XMLCALL on_sheet_end(void* data, const XML_Char*)
+{
+    SheetReading& reading = *static_cast<SheetReading*>(data);
+    if (!std::exchange(reading.in_sheet, false)) return;
+    const std::string unread = reading.sheet.add(std::exchange(reading.text, {}));
+    if (unread.empty() || !reading.unread.empty()) return;
+    reading.unread = unread;
+    reading.unread_line = static_cast<int>(XML_GetCurrentLineNumber(reading.parser));
+}
+
+/// Length of a page in metres; nothing if it is not given as a length.
+std::optional<double> page_length(const char* attribute)
+{
+    if (attribute == nullptr) return {};
+    const std::string_view text = without_blanks(attribute);
+    const std::size_t digits = std::min(text.find_first_not_of("0123456789.+-eE"), text.size());
+    std::size_t end = digits; // "1em" is not 1e
+    while (end > 0 && (text[end - 1] == 'e' || text[end - 1] == 'E')) --end;
+    constexpr std::array<std::pair<std::string_view, double>, 7> kLengths = {
+        {{"mm", 1e-3},
+         {"cm", 1e-2},
+         {"m", 1.0},
+         {"in", 0.0254},
+         {"pt", 0.0254 / 72.0},
+         {"pc", 0.0254 / 6.0},
+         {"Q", 0.25e-3}}};
+    const auto known = std::ranges::find_if(
+        kLengths, [&](const auto& u) { return u.first == text.substr(end); });
+    const std::optional<double> number = read_number(text.substr(0, end));
+    if (known == kLengths.end() || !number || *number <= 0.0) return {};
+    return *number * known->second;
+}
+
+bool is_in_pixels(const char* width)
+{
+    return width != nullptr && without_blanks(width).ends_with("px");
+}
+
+} // namespace
+
+SvgParser svg_parser()
+{
+    SvgParser parser(XML_ParserCreate(nullptr), XML_ParserFree);
+    if (!parser) throw std::bad_alloc();
+    return parser;
+}
+
+SvgStyleSheet svg_sheets(const DrawingFrame& frame, std::string_view bytes)
+{
+    SheetReading reading;
+    const SvgParser parser = svg_parser();
+    reading.parser = parser.get();
+    XML_SetUserData(parser.get(), &reading);
+    XML_SetElementHandler(parser.get(), on_sheet_begin, on_sheet_end);
+    XML_SetCharacterDataHandler(parser.get(), on_sheet_text);
+    // what is not XML is refused when the shapes are read
+    static_cast<void>(
+        XML_Parse(parser.get(), bytes.data(), static_cast<int>(bytes.size()), XML_TRUE));
+    if (!reading.unread.empty())
+        refuse(frame, reading.unread_line,
+               "the style sheet hides or moves what \"" +
+                   readable_name(reading.unread.substr(0, 60)) +
+                   "\" selects, which is not read; give the shapes a class or a style of their "
+                   "own");
+    return std::move(reading.sheet);
+}
+
+void state_page_unit(RawDrawing& drawing, const SvgElement& root)
+{
+    const char *width = root.find("width"), *box = root.find("viewBox");
+    if (box == nullptr) return;
+    if (is_in_pixels(width))
+        drawing.notes.emplace_back("The file gives its width in px, which are not lengths.");
+    const std::vector<SvgPoint> corners = svg_points(root.place, box);
+    if (corners.size() != 2 || !(corners[1].x > 0.0) || !(corners[1].y > 0.0)) return;
+    const std::optional<double> across = page_length(width),
+                                up = page_length(root.find("height"));
+    if (!across && !up) return;
+    const double x = across ? *across / corners[1].x : *up / corners[1].y;
+    const double y = up ? *up / corners[1].y : x;
+    const char* fit = root.find("preserveAspectRatio");
+    const std::string_view how = fit ? without_blanks(fit) : "";
+    if (how.starts_with("none") && std::abs(x / y - 1.0) > 1e-3)
+        refuse(
+            *root.place.frame, root.place.line,
+            "preserveAspectRatio=\"none\" stretches the drawing: width and height of the page "
+            "are not those of the viewBox; make them alike");
+    state_unit(drawing, how.ends_with("slice") ? std::max(x, y) : std::min(x, y), "");
+}
+
+} // namespace app

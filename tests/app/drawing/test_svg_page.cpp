@@ -1,0 +1,133 @@
+#include "tests/app/drawing/drawing_scenes.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <string>
+
+using scenes::area;
+using scenes::drawing_of;
+using scenes::refusal;
+
+namespace {
+
+const std::string kStone = "<rect width='2' height='1'/>";
+const std::string kOther = "<rect y='1' width='2' height='1'";
+
+/// A drawing in metres.
+std::string page(const std::string& body, const std::string& root = "viewBox='0 0 2 2'")
+{
+    return "<svg xmlns='s' " + root + ">" + body + "</svg>";
+}
+
+app::Drawing wall(const std::string& body)
+{
+    return drawing_of("w.svg", page(body), {.unit = 1.0});
+}
+
+} // namespace
+
+TEST_CASE(
+    "svg page: a page of another shape than its viewBox shows the drawing as large as fits",
+    "[app][svg_page]")
+{
+    const auto of = [](const std::string& root) {
+        return drawing_of("w.svg", page("<rect width='1000' height='500'/>", root),
+                          {.unit = 1e-3, .unit_given = false});
+    };
+    const std::string box = "viewBox='0 0 1000 500'";
+    // width and height of the page in units of 1000 x 500, how it fits, size of a unit [mm]
+    CHECK(area(of("width='2000mm' height='500mm' " + box)) == Approx(0.5));
+    CHECK(area(of("width='1000mm' height='2000mm' " + box)) == Approx(0.5));
+    CHECK(area(of("width='2000mm' height='500mm' preserveAspectRatio='xMidYMid slice' " +
+                  box)) == Approx(2.0));
+    CHECK(area(of("height='1m' " + box)) == Approx(2.0));
+    CHECK(area(of("width=' 200cm ' " + box)) == Approx(2.0));
+    const std::string stretched =
+        "width='2000mm' height='500mm' preserveAspectRatio='none' " + box;
+    CHECK_THAT(refusal("w.svg", page("<rect width='1000' height='500'/>", stretched)),
+               Catch::StartsWith("w.svg:1: preserveAspectRatio=\"none\" stretches"));
+    CHECK(area(of("width='2000mm' height='1000mm' preserveAspectRatio='none' " + box)) ==
+          Approx(2.0));
+}
+
+TEST_CASE("svg page: a style sheet hides by element, id and classes, wherever it stands",
+          "[app][svg_page]")
+{
+    for (const char* sheet :
+         {"#old{display:none}", "rect.old{display:none}", ".old.b{display:none}",
+          "@import url('x.css'); .old{display:none}", "rect{display:inline} .old{display:none}",
+          ".old{opacity:0}", "#old{visibility:hidden} rect.old.b{visibility:visible}",
+          "*{stroke:red} .old{display:none} a:hover{opacity:0}"}) {
+        INFO(sheet);
+        const std::string style = "<style>" + std::string(sheet) + "</style>";
+        const std::string old = kOther + " id='old' class='b\told'/>";
+        for (const std::string& body : {style + kStone + old, kStone + old + style}) {
+            CHECK(wall(body).blocks.size() == 1);
+            CHECK(scenes::notes(wall(body), "1 hidden shape was ignored"));
+        }
+        CHECK(wall(style + kStone + kOther + "/>").blocks.size() == 2);
+    }
+    CHECK(wall("<style>rect{display:none} #a{display:inline}</style>"
+               "<rect id='a' width='2' height='1'/>" +
+               kOther + "/>")
+              .blocks.size() == 1);
+}
+
+TEST_CASE("svg page: a rule that may hide or move shapes and is not read is refused",
+          "[app][svg_page]")
+{
+    for (const char* selector : {"g rect", "g > rect", "rect:first-child", "rect[x]"}) {
+        INFO(selector);
+        const auto sheet = [&](const std::string& declared) {
+            return page("<style>\n" + std::string(selector) + declared + "</style>" + kStone);
+        };
+        for (const char* declared : {"{display:none}", "{transform:scale(2)}", "{opacity:0}"})
+            CHECK_THAT(refusal("w.svg", sheet(declared)),
+                       Catch::StartsWith("w.svg:2: the style sheet hides or moves what \"" +
+                                         std::string(selector) + "\" selects"));
+        CHECK(drawing_of("w.svg", sheet("{fill:red}"), {.unit = 1.0}).blocks.size() == 1);
+    }
+}
+
+TEST_CASE("svg page: what is clipped or masked is told", "[app][svg_page]")
+{
+    for (const char* clip :
+         {"clip-path='url(#c)'", "style='clip-path:url(#c)'", "mask='url(#c)'"}) {
+        INFO(clip);
+        CHECK(scenes::notes(wall("<g " + std::string(clip) + ">" + kStone + kOther + "/></g>"),
+                            "2 shapes have a clip path or a mask"));
+    }
+    CHECK_FALSE(scenes::notes(wall(kStone + kOther + " clip-path='none'/>"), "clip path"));
+}
+
+TEST_CASE("svg page: transforms of the page and of CSS are applied or refused",
+          "[app][svg_page]")
+{
+    CHECK(area(drawing_of("w.svg", page(kStone, "viewBox='0 0 2 2' transform='scale(3, 2)'"),
+                          {.unit = 1.0})) == Approx(12.0));
+    CHECK(area(wall("<style>rect{transform:scale(2)}</style>" + kStone)) == Approx(8.0));
+    for (const char* moved :
+         {"style='scale:2'", "style='translate:1px 0'", "style='rotate:90deg'",
+          "transform='rotate(90)' transform-origin='1 1'"})
+        CHECK_THAT(refusal("w.svg", page(kStone + kOther + " " + moved + "/>"), {.unit = 1.0}),
+                   Catch::Contains("apply the transforms in the drawing program"));
+}
+
+TEST_CASE("svg page: a file without a unit of length says what it was read in",
+          "[app][svg_page]")
+{
+    const auto of = [](const std::string& root, bool given) {
+        return drawing_of("w.svg", page("<rect width='1000' height='500'/>", root),
+                          {.unit = 1e-3, .unit_given = given});
+    };
+    for (const char* root :
+         {"viewBox='0 0 9 9'", "width='100%' height='100%'", "width='1000mm' height='500mm'",
+          "width='9px' viewBox='0 0 9 9'"}) {
+        INFO(root);
+        CHECK(scenes::notes(of(root, false),
+                            "states no unit of length; one unit was read as 1 mm, and the wall "
+                            "is 1 x 0.5 m. Set wall.length_unit if that is not its size."));
+        CHECK_FALSE(scenes::notes(of(root, true), "no unit"));
+    }
+    CHECK_FALSE(scenes::notes(of("width='1m' viewBox='0 0 1000 500'", false), "no unit"));
+}
