@@ -289,6 +289,20 @@ uq::KeptEvaluations kept_in(const Command& command, const std::string& model)
     }
 }
 
+/// Thrown where no evaluation is sound, so that no more are paid for. It is no std::exception,
+/// which would be the failure of its batch.
+struct NoneSound {
+    std::size_t tried;
+    std::string first; ///< why the first of them failed
+};
+
+void end_if_none_sound(const std::vector<uq::Evaluated>& seen)
+{
+    if (seen.size() >= uq::kUntilSound &&
+        std::ranges::none_of(seen, [](const uq::Evaluated& e) { return e.failure.empty(); }))
+        throw NoneSound{seen.size(), seen.front().failure};
+}
+
 /// The answer; the evaluations are written whether there is one or not.
 uq::ReliabilityAnswer answered(const Command& command, const Question& question)
 {
@@ -306,6 +320,7 @@ uq::ReliabilityAnswer answered(const Command& command, const Question& question)
         progress.update(static_cast<double>(seen.size()) / problem.budget,
                         std::to_string(seen.size()) + " evaluations");
         end_if_interrupted();
+        if (seen.size() < static_cast<std::size_t>(problem.budget)) end_if_none_sound(seen);
     };
     try {
         const uq::ReliabilityAnswer a = uq::reliability(problem, on_batch);
@@ -313,6 +328,16 @@ uq::ReliabilityAnswer answered(const Command& command, const Question& question)
         kept.remove();
         progress.finish(std::to_string(seen.size()) + " evaluations");
         return a;
+    } catch (const NoneSound& none) {
+        write_results(command.out, {{kEvaluations, as_csv(evaluation_table(question, seen))}},
+                      kReliabilityList);
+        kept.remove(); // what is mended may answer
+        throw std::runtime_error("the first " + std::to_string(none.tried) + " of " +
+                                 std::to_string(problem.budget) +
+                                 " evaluations all failed, and no more were made; " +
+                                 "the first failed because: " + none.first +
+                                 ". All of them are in " +
+                                 (fs::path(command.out) / kEvaluations).string());
     } catch (const uq::KeptEvaluations::NotKept& full) {
         throw std::runtime_error(full.what +
                                  "; make space there and run the same command again");

@@ -73,7 +73,7 @@ HistoryPlan history_plan(const Study& study)
     HistoryPlan plan;
     plan.records = shaking_records(study);
     plan.design = study.shaking.design;
-    plan.measures = kept_measures(plan.records.measure);
+    plan.measures = kept_measures(plan.records.at.measure);
     return plan;
 }
 
