@@ -2,6 +2,7 @@
 
 #include "app/input/study/study.hpp"
 #include "app/input/study/units.hpp"
+#include "app/input/wall/wall_geometry.hpp"
 #include "app/text/words.hpp"
 #include "ground/intensity.hpp"
 #include "ground/motion_facts.hpp"
@@ -143,6 +144,11 @@ void check_shaken_study(const Study& study)
         study.solver.kinematics == dem::Kinematics::small)
         throw error_at(study.source, "solver.kinematics",
                        "a wall that is shaken turns by any amount; write finite, or remove it");
+    if (study.wall.toe == dem::Toe::held && study.wall.base == dem::Base::joint &&
+        in_courses(study))
+        throw error_at(study.source, "wall.toe",
+                       "is held sideways, and the blocks of a wall that is shaken are held "
+                       "altogether or not at all; write toe = free");
     if (study.shaking.contact_damping > 0.0 && closes(study.parameters.joint))
         throw error_at(study.source, "shaking.contact_damping",
                        "joints that close have no dashpots, they lose energy by "

@@ -430,7 +430,7 @@ TEST_CASE(
         const std::string text = content(folder.path / "out" / "evaluations.csv");
         return std::ranges::count(text, '\n');
     };
-    for (const char* const method : {"monte_carlo", "subset"}) {
+    for (const char* const method : {"monte_carlo", "subset", "sobol"}) {
         INFO(method);
         const app::Command c =
             command_of(folder.path, model + "[reliability]\nmethod = " + method +
@@ -439,8 +439,7 @@ TEST_CASE(
             CHECK_THROWS_WITH(told(c), Catch::Contains("of 500 evaluations all failed") &&
                                            Catch::Contains("the mesh is broken") &&
                                            Catch::Contains("evaluations.csv"));
-        CHECK(lines() <= 41);
-        CHECK(lines() >= 21);
+        CHECK(lines() == 21);
         CHECK_FALSE(std::filesystem::exists(folder.path / "out" / "unfinished.jsonl"));
     }
     // a budget of as many is spent and answered
