@@ -211,7 +211,8 @@ Lower lower_half(const Sheet& s, double width, double height)
         }
         if (height - lower.table - lists >= kSeen) break;
     }
-    lower.picture = std::clamp(height - lower.table - std::max(kLeastLists, lists), kLeastPicture, kMost);
+    lower.picture =
+        std::clamp(height - lower.table - std::max(kLeastLists, lists), kLeastPicture, kMost);
     lower.lists = height - lower.table - lower.picture;
     return lower;
 }

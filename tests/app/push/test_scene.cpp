@@ -274,8 +274,8 @@ TEST_CASE(
 TEST_CASE("push: what takes long is told before it is paid for", "[app][scene]")
 {
     CHECK(app::push_note(app::prepare(study_of(kWall))).empty());
-    const std::string note = app::push_note(
-        app::prepare(study_of(kWall, {"solver.contact_points=20", "solver.steps_per_mm=20000"})));
+    const std::string note = app::push_note(app::prepare(
+        study_of(kWall, {"solver.contact_points=20", "solver.steps_per_mm=20000"})));
     CHECK_THAT(note, Catch::StartsWith("note: a push to its end takes about ") &&
                          Catch::Contains(" min of a core") &&
                          Catch::Contains("fewer solver.contact_points"));
