@@ -29,6 +29,7 @@ Reader reader_of(const RecordText& text)
         first[0] <= '9' && text.lines[1].starts_with('*'))
         return smc_records;
     if (has(text, "SAMPLING_INTERVAL_S:")) return esm_records;
+    if (has(text, "Sampling Freq", 17) && has(text, "Scale Factor", 17)) return knet_records;
     if (has(text, "acceleration pts")) return cosmos_records;
     if (has(text, "points of acc")) return v2_records;
     if (corrected && has(text, "mm/s/s", 30)) return v2a_records;
@@ -70,14 +71,14 @@ std::vector<Record> parse_records(const std::string& path, std::string_view text
     if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos)
         throw RecordError(path, 0,
                           "is binary; give a record as text (AT2, V1, V2, V2A, SMC, ESM ASC, "
-                          "COSMOS or two columns)");
+                          "COSMOS, K-NET or two columns)");
     const RecordText lines = lines_of(path, text);
     const Reader read = reader_of(lines);
     if (read == nullptr)
         throw RecordError(path, 0,
                           "is in no format known here; give AT2, V1, V2, V2A, SMC, ESM ASC, "
-                          "COSMOS V2c, or two columns, "
-                          "time [s] and acceleration");
+                          "COSMOS V2c, K-NET or KiK-net ASCII, or two columns, time [s] and "
+                          "acceleration");
     std::vector<Record> all = read(lines, options);
     if (all.empty())
         throw RecordError(path, 1,

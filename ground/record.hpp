@@ -36,8 +36,8 @@ struct ReadOptions {
 
 /// All components of acceleration in a text. The format is found from the content: AT2 (PEER,
 /// old and new heads), CSMIP and USC V2, CSMIP V1, GeoNet V2A, USGS SMC, COSMOS V2c, ESM ASC,
-/// USGS text (SAMPLES/SEC=), or two columns of time [s] and acceleration (in g where nothing is
-/// said).
+/// K-NET and KiK-net ASCII, USGS text (SAMPLES/SEC=), or two columns of time [s] and
+/// acceleration (in g where nothing is said).
 /// @param path names the text in messages
 /// @throws RecordError no known format, empty, binary, fewer or more values than stated, NaN,
 /// unequal or wrong time steps, units that are unknown or missing where they matter, a peak

@@ -34,15 +34,6 @@ std::optional<double> any_number(std::string_view text)
     return x;
 }
 
-std::string shown(double x)
-{
-    std::ostringstream out;
-    out.imbue(std::locale::classic());
-    out.precision(6);
-    out << x;
-    return out.str();
-}
-
 /// Where the next number begins although nothing stands between: at a sign that is none of an
 /// exponent.
 std::size_t sign_in(std::string_view token)
@@ -55,6 +46,15 @@ std::size_t sign_in(std::string_view token)
 }
 
 } // namespace
+
+std::string shown(double x)
+{
+    std::ostringstream out;
+    out.imbue(std::locale::classic());
+    out.precision(6);
+    out << x;
+    return out.str();
+}
 
 std::string_view stripped(std::string_view text)
 {

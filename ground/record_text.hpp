@@ -25,6 +25,8 @@ struct RecordText {
 [[nodiscard]] std::string_view stripped(std::string_view text);
 [[nodiscard]] std::string lower(std::string_view text);
 [[nodiscard]] std::string in_quotes(std::string_view text);
+/// With six digits at most.
+[[nodiscard]] std::string shown(double x);
 
 /// A whole text as one finite number; nothing if it is none.
 [[nodiscard]] std::optional<double> number_of(std::string_view text);
@@ -83,6 +85,7 @@ void check_peak(const RecordText& text, std::size_t head, Record& record, double
 [[nodiscard]] std::vector<Record> v2a_records(const RecordText&, const ReadOptions&);
 [[nodiscard]] std::vector<Record> smc_records(const RecordText&, const ReadOptions&);
 [[nodiscard]] std::vector<Record> esm_records(const RecordText&, const ReadOptions&);
+[[nodiscard]] std::vector<Record> knet_records(const RecordText&, const ReadOptions&);
 [[nodiscard]] std::vector<Record> cosmos_records(const RecordText&, const ReadOptions&);
 [[nodiscard]] std::vector<Record> usgs_records(const RecordText&, const ReadOptions&);
 

@@ -21,6 +21,7 @@ set(UQ_RELIABILITY_SOURCES
     reliability/active/limit_learner.cpp
     reliability/limit_state/limit_state.cpp
     reliability/method_answers.cpp
+    reliability/noted_model.cpp
     reliability/simulation/multi_fidelity.cpp
     reliability/simulation/multi_fidelity_plan.cpp
     reliability/active/next_points.cpp

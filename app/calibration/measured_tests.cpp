@@ -20,7 +20,18 @@ struct TestColumn {
     bool second_unit; ///< its unit is the second of those allowed
 };
 
-/// The column of this name, which may have one of these units in brackets and no other.
+/// "peak [kN]"; "drop [mm] or drop [%]" in quotes of their own.
+std::string heads_of(std::string_view name, std::initializer_list<std::string_view> units)
+{
+    std::string heads;
+    for (const std::string_view unit : units)
+        heads += (heads.empty() ? "\"" : " or \"") + std::string(name) + " [" +
+                 std::string(unit) + "]\"";
+    return heads;
+}
+
+/// The column of this name, which has one of these units in brackets and no other. Where the
+/// first of them is none, "-", it may be left out.
 std::optional<TestColumn> column_of(const Csv& csv, std::string_view name,
                                     std::initializer_list<std::string_view> units)
 {
@@ -28,6 +39,9 @@ std::optional<TestColumn> column_of(const Csv& csv, std::string_view name,
         const std::string& head = csv.head[c];
         if (bare_name(head) != name) continue;
         const std::size_t bracket = head.find_first_of("[(");
+        if (bracket == std::string::npos && *units.begin() != "-")
+            throw ConfigError(csv.path, 1, head,
+                              "missing unit; write " + heads_of(name, units));
         if (bracket == std::string::npos) return TestColumn{c, false};
         const std::string_view unit =
             trimmed(std::string_view(head).substr(bracket + 1, head.size() - bracket - 2));

@@ -37,7 +37,7 @@ ChoiceResult push_choice(const ChoiceChange& change, int level)
     const Study& study = change.ready.study;
     dem::PushPlan plan = push_plan(study);
     plan.snapshot_every = 0.0;
-    plan.progress = [](double, double, double) {
+    plan.progress = [](const dem::PushProgress&) {
         if (interrupted()) throw Interrupted{"nothing was written"};
     };
     PushList list;

@@ -7,8 +7,12 @@
 #include "app/output/result_folder.hpp"
 #include "app/output/table/table_files.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -55,6 +59,31 @@ std::string page(const std::vector<Part>& parts)
            body + "</body>\n</html>\n";
 }
 
+/// All that one word of the command names.
+struct ReadFrom {
+    std::string path;
+    std::vector<Compared> walls;
+    std::vector<ComparedLimit> limits;
+};
+
+/// Two files or folders of one name stand with their paths: "a/wall" and "b/wall".
+std::vector<ReadFrom> told_apart(std::vector<ReadFrom> all)
+{
+    std::map<std::string, std::set<std::string>> paths; // by name
+    const auto each = [&](auto&& work) {
+        for (ReadFrom& r : all) {
+            for (Compared& c : r.walls) work(c.name, r.path);
+            for (ComparedLimit& l : r.limits) work(l.name, r.path);
+        }
+    };
+    each([&](const std::string& name, const std::string& path) { paths[name].insert(path); });
+    const auto shared = paths;
+    each([&](std::string& name, const std::string& path) {
+        if (shared.at(name).size() > 1) name = path;
+    });
+    return all;
+}
+
 } // namespace
 
 int compare_command(const Command& command)
@@ -68,9 +97,12 @@ int compare_command(const Command& command)
         std::cerr << note;
     std::vector<Compared> all;
     std::vector<ComparedLimit> limits;
-    for (const std::string& path : command.words) {
-        for (Compared& c : read_compared(path)) all.push_back(std::move(c));
-        for (ComparedLimit& l : read_limits(path)) limits.push_back(std::move(l));
+    std::vector<ReadFrom> read;
+    for (const std::string& path : command.words)
+        read.push_back({path, read_compared(path), read_limits(path)});
+    for (ReadFrom& r : told_apart(std::move(read))) {
+        std::ranges::move(r.walls, std::back_inserter(all));
+        std::ranges::move(r.limits, std::back_inserter(limits));
     }
     std::vector<Part> parts;
     if (!all.empty()) parts.push_back({"compare", compared_table(all), compared_chart(all)});

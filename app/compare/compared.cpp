@@ -202,6 +202,7 @@ std::vector<Compared> read_compared(const std::string& path)
     if (fs::exists(folder / kFragilityFile) && !fs::exists(folder / "summary.json")) return {};
     if (fs::is_directory(path)) return {of_push(path)};
     if (path.ends_with(".csv")) return {of_test(path)};
+    if (!fs::exists(path)) throw ConfigError(path, 0, "", "there is no such file or folder");
     throw ConfigError(
         path, 0, "",
         "cannot be compared; give a FILE.h5, the folder of a push or of fragility, or a .csv "

@@ -1,4 +1,5 @@
 #include "app/input/key_effects.hpp"
+#include "app/input/push_cost.hpp"
 #include "app/input/study_reading.hpp"
 #include "app/input/wall/wall_geometry.hpp"
 #include "app/text/number_text.hpp"
@@ -25,21 +26,46 @@ double memory()
 
 std::string gigabytes(double bytes) { return fixed(std::max(bytes, 1e8) / 1e9, 1) + " GB"; }
 
+constexpr double kMinute = 60.0; // [s]
+
+std::string time_text(double seconds)
+{
+    return seconds < kMinute ? fixed(std::max(seconds, 1.0), 0) + " s"
+                             : fixed(seconds / kMinute, 0) + " min";
+}
+
+/// Values that make blocks and contacts fewer.
+std::string what_costs_less(const Study& study, bool beam)
+{
+    if (beam) return "a beam that is less high, longer units or fewer solver.contact_points";
+    if (study.geometry.file.ends_with(".png"))
+        return "a larger wall.simplify or fewer solver.contact_points";
+    return "fewer solver.contact_points or solver.zones_per_interval, or units with a larger "
+           "length-to-height ratio";
+}
+
 } // namespace
+
+std::string push_note(const PreparedStudy& ready)
+{
+    constexpr double kLong = 30.0; // [s]
+    const double updates = expected_updates(ready.study, ready.layout),
+                 seconds = updates / kUpdatesPerSecond;
+    if (seconds < kLong) return "";
+    return "note: a push to its end takes about " + time_text(seconds) +
+           " of a core, less where its limits are known before, more where it has to be "
+           "repeated more slowly (solver.accuracy); " +
+           what_costs_less(ready.study, false) + " cost less\n";
+}
 
 std::string cost_note(const PreparedStudy& ready, Purpose purpose)
 {
     const Study& study = ready.study;
-    constexpr double kSeconds = 10.0, kBytes = 1e9, kMinute = 60.0;
+    constexpr double kSeconds = 10.0, kBytes = 1e9;
     const dem::BuildCost c = dem::build_cost(ready.layout, study.discretisation);
-    const std::string time = c.seconds < kMinute ? fixed(std::max(c.seconds, 1.0), 0) + " s"
-                                                 : fixed(c.seconds / kMinute, 0) + " min";
-    const std::string text = "about " + time + " and " + gigabytes(c.bytes);
+    const std::string text = "about " + time_text(c.seconds) + " and " + gigabytes(c.bytes);
     const bool beam = c.beam && study.beam.height > wall_length(study);
-    const std::string less =
-        beam ? "a beam that is less high, longer units or fewer solver.contact_points cost less"
-             : "fewer solver.contact_points or solver.zones_per_interval, or units with a "
-               "larger length-to-height ratio, cost less";
+    const std::string less = what_costs_less(study, beam) + " cost less";
     const double available = memory();
     if (c.bytes > available && purpose == Purpose::push)
         throw error_at(study.source, beam ? "beam.height" : "solver.contact_points",

@@ -87,6 +87,7 @@ std::string study_notes(const PreparedStudy& ready, const Verb* verb)
             '\n';
     const bool pushes = reads(*verb, *find_key("output.record_every"));
     notes += cost_note(ready, pushes ? Purpose::push : Purpose::drawing);
+    if (verb->name == "push" || verb->name == "sheet") notes += push_note(ready);
     const std::string key = study.geometry.file.empty() ? "wall.outlines" : "wall.geometry";
     for (const std::string& note : study.geometry.notes)
         notes += "note: " + key + ": " + note + '\n';

@@ -24,6 +24,9 @@ namespace app {
 /// @throws ConfigError where this machine has not the memory
 [[nodiscard]] std::string cost_note(const PreparedStudy& ready, Purpose purpose);
 
+/// The same of one push, where that takes half a minute or more.
+[[nodiscard]] std::string push_note(const PreparedStudy& ready);
+
 /// @throws ConfigError where the study names one wall (uq.drawn)
 void refuse_drawn(const Study& study);
 

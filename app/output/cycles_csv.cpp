@@ -28,12 +28,14 @@ std::optional<double> combined(const fragility::Cycle& c, double minus_share)
 std::string cycles_csv(const std::vector<fragility::Cycle>& cycles,
                        std::span<const dem::Energy> ledger)
 {
+    const bool loses = !ledger.empty() && ledger.back().closing > 0.0;
     std::string table =
         "cycle,amplitude_mm,force_plus_kN,force_minus_kN,energy_J,damping_percent,residual_"
         "plus_mm,"
         "residual_minus_mm,stiffness_kN_per_mm,stiffness_share,half_width_mm,shift_mm,"
         "displacement_plus_mm,displacement_minus_mm,closed,friction_J,fracture_J,crushing_J,"
-        "solver_J\n";
+        "solver_J,stored_J";
+    table += loses ? ",closing_J\n" : "\n";
     std::optional<double> first;
     for (std::size_t i = 0; i < cycles.size(); ++i) {
         const fragility::Cycle& c = cycles[i];
@@ -49,10 +51,11 @@ std::string cycles_csv(const std::vector<fragility::Cycle>& cycles,
                  cell(c.displacement_plus, kMm) + cell(c.displacement_minus, kMm) +
                  (c.closed ? ",1" : ",0");
         const dem::Energy &from = ledger[c.begin], &to = ledger[c.end];
-        for (const double lost : {to.friction - from.friction, to.fracture - from.fracture,
-                                  to.crushing - from.crushing, to.damping - from.damping})
-            table += cell(lost, 1.0);
-        table += '\n';
+        for (const double part : {to.friction - from.friction, to.fracture - from.fracture,
+                                  to.crushing - from.crushing, to.damping - from.damping,
+                                  to.stored() - from.stored()})
+            table += cell(part, 1.0);
+        table += loses ? cell(to.closing - from.closing, 1.0) + '\n' : "\n";
     }
     return table;
 }

@@ -56,20 +56,25 @@ Progress::~Progress()
     if (drawn_ && !finished_ && options_.terminal) out_ << '\n' << std::flush;
 }
 
-void Progress::update(double done, std::string_view text)
+void Progress::update(double done, std::string_view text, double all)
 {
     if (options_.quiet || finished_) return;
     const double now = clock_();
-    done = done > 0.0 ? std::min(done, 1.0) : 0.0; // NaN: 0
+    done = done > 0.0 ? std::min(done, all) : 0.0; // NaN: 0
     if (now - last_sample_ >= kRedraw) follow_rate(now, done);
 
     const double since = now - last_drawn_;
     const bool due =
         options_.terminal ? now - start_ >= kSilence && since >= kRedraw : since >= kPlainEvery;
     if (!due) return;
-    const double left = done_sum_ > 0.0 ? (1.0 - done) * time_sum_ / done_sum_
+    const double left = done_sum_ > 0.0 ? (all - done) * time_sum_ / done_sum_
                                         : std::numeric_limits<double>::infinity();
-    write_line(line(done, clock_text(left) + " left", text), now);
+    write_line(line(done / all, clock_text(left) + " left", text), now);
+}
+
+void Progress::remark(std::string_view sentence)
+{
+    if (!finished_) remarks_ += std::string(sentence) + '\n';
 }
 
 void Progress::finish(std::string_view text)
@@ -95,6 +100,8 @@ void Progress::follow_rate(double now, double done)
 
 void Progress::write_line(const std::string& line, double now)
 {
+    if (!remarks_.empty()) out_ << (options_.terminal ? "\r\033[K" : "") << remarks_;
+    remarks_.clear();
     if (options_.terminal)
         out_ << '\r' << cut(line, options_.width - 1) << "\033[K"
              << std::flush; // K: clear the rest

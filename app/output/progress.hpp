@@ -29,9 +29,13 @@ class Progress {
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// @param done share of the work in [0, 1]; outside, and NaN, is clamped
+    /// @param done share of the work in [0, all]; outside, and NaN, is clamped
     /// @param text free text at the end of the line, e.g. "49.7 kN at 9.8 mm"
-    void update(double done, std::string_view text);
+    /// @param all the whole work in this measure: more than 1 where it has grown on the way
+    void update(double done, std::string_view text, double all = 1.0);
+
+    /// Adds a sentence on a line of its own, above the next line that is drawn.
+    void remark(std::string_view sentence);
 
     /// Draws 100 % and the time taken, if anything was drawn before. Later calls do nothing.
     void finish(std::string_view text);
@@ -48,6 +52,7 @@ class Progress {
     double start_ = 0.0, last_sample_ = 0.0, last_done_ = 0.0; ///< [s], [s], [-]
     double done_sum_ = 0.0, time_sum_ = 0.0; ///< fading sums; their ratio is the rate [1/s]
     double last_drawn_ = 0.0;                ///< [s]
+    std::string remarks_;                    ///< lines that are not written yet
     bool drawn_ = false, finished_ = false;
 };
 

@@ -1,13 +1,12 @@
 #include "app/push/push_until_told.hpp"
 
-#include "app/output/progress.hpp"
+#include "app/output/push_line.hpp"
 #include "app/study/other_way.hpp"
 #include "app/study/pushed/interrupt.hpp"
 #include "app/study/pushed/push_walls.hpp"
-#include "app/text/number_text.hpp"
+#include "app/study/stored/stress_text.hpp"
 #include "dem/block/model.hpp"
 
-#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <iostream>
@@ -33,10 +32,9 @@ class EarlyEnd {
                 if (!any_curve_ || !interrupted()) return false;
                 return cut_ = true;
             };
-        plan.progress = [this, told = std::move(plan.progress)](
-                            double done, double displacement, double force) {
+        plan.progress = [this, told = std::move(plan.progress)](const dem::PushProgress& p) {
             if (!any_curve_) end_if_interrupted();
-            told(done, displacement, force);
+            told(p);
         };
     }
     /// Whether a wall ended early.
@@ -55,14 +53,16 @@ Pushed push_until_told(const PreparedStudy& ready, dem::PushPlan plan,
     const dem::Model model = model_of(ready);
     OtherWay other(study, model, wanted, threads, end_if_interrupted);
     std::vector<PushedWall> walls(wanted.size());
-    Progress line(std::cerr, stderr_progress(quiet), steady_seconds);
+    std::vector<std::string> names;
+    for (const WantedWall& w : wanted)
+        names.push_back(stress_text(study.load.vertical_stress[w.level]));
+    PushLine line(std::move(names), study.solver.accuracy, std::cerr, stderr_progress(quiet),
+                  steady_seconds);
     std::mutex mutex;
     std::size_t finished = 0;
-    plan.progress = [&](double done, double displacement, double force) {
+    plan.progress = [&](const dem::PushProgress& p) {
         const std::lock_guard lock(mutex);
-        line.update(std::min(1.0, (static_cast<double>(finished) + done) /
-                                      static_cast<double>(wanted.size())),
-                    fixed(force * 1e-3, 1) + " kN at " + fixed(displacement * 1e3, 1) + " mm");
+        line.update(p);
     };
     const EarlyEnd end(plan);
     PushList list;
@@ -73,6 +73,7 @@ Pushed push_until_told(const PreparedStudy& ready, dem::PushPlan plan,
         const std::lock_guard lock(mutex);
         walls[i] = std::move(wall);
         ++finished;
+        line.end(i);
     };
     push_walls(study, model, plan, list, other.threads_left());
     if (finished != wanted.size() || end.cut()) return {std::move(walls), false};
@@ -81,7 +82,7 @@ Pushed push_until_told(const PreparedStudy& ready, dem::PushPlan plan,
     } catch (const Interrupted&) {
         return {std::move(walls), true, true};
     }
-    line.finish("");
+    line.finish();
     return {std::move(walls), true};
 }
 

@@ -18,8 +18,7 @@ struct Pushed {
         false; ///< the program was told to end when nothing else was left to push
 };
 
-/// The line is of all walls together: those that are done, and the one that spoke last. Walls
-/// that are not symmetric are pushed the other way at the same time.
+/// Walls that are not symmetric are pushed the other way at the same time.
 /// @param plan where to push the walls
 /// @throws Interrupted (app/study/pushed/interrupt.hpp) where the program is told to end before
 /// any wall has a curve

@@ -6,22 +6,19 @@
 #include "app/output/picture/markup.hpp"
 #include "app/output/progress.hpp"
 #include "app/output/result_folder.hpp"
-#include "app/output/table/cells.hpp"
 #include "app/output/table/table_files.hpp"
 #include "app/reliability/evaluation_identity.hpp"
 #include "app/reliability/event.hpp"
+#include "app/reliability/reliability_tables.hpp"
 #include "app/store/continued_head.hpp"
 #include "app/store/store_head.hpp"
 #include "app/study/pushed/interrupt.hpp"
 #include "app/text/config_error.hpp"
 #include "app/text/json_text.hpp"
-#include "app/text/number_text.hpp"
-#include "core/normal.hpp"
 #include "uq/reliability/limit_state/kept_evaluations.hpp"
 #include "uq/reliability/reliability.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <span>
@@ -31,126 +28,6 @@ namespace app {
 namespace {
 
 namespace fs = std::filesystem;
-/// Shown with four digits; a small probability in powers of ten, since decimals would hide it.
-Number cell(const std::optional<double>& x)
-{
-    constexpr double kSmall = 1e-4;
-    if (!x) return {};
-    return std::abs(*x) < kSmall ? plain_number(rounded(*x, 4), kShortest)
-                                 : plain_number(*x, decimals_for(*x) + 1);
-}
-
-/// The problem, and how its numbers are shown.
-struct Question {
-    uq::ReliabilityProblem problem;
-    std::vector<ShownNumber> inputs;
-    ShownNumber response;
-    std::string model; ///< what its answers depend on
-};
-
-std::string evaluations_text(const uq::ReliabilityAnswer& a)
-{
-    const std::string all = std::to_string(a.evaluations) + " evaluations, ";
-    if (a.failed.empty()) return all + "none failed.";
-    return all + std::to_string(a.failed.size()) +
-           " failed: the bounds assume the worst and the best case of these.";
-}
-
-Table method_table(const uq::ReliabilityProblem& p, const uq::ReliabilityAnswer& a)
-{
-    Table t;
-    t.title = "P(" + p.words + ")";
-    t.caption = "Intervals are 95 %. " + evaluations_text(a);
-    t.head = {"method", "probability",     "beta", "standard error", "lower",
-              "upper",  {"outcome", kNote}};
-    for (const uq::MethodAnswer& m : a.methods) {
-        std::optional<double> beta;
-        if (m.probability && *m.probability > 0.0 && *m.probability < 1.0)
-            beta = -core::normal_quantile(*m.probability);
-        t.rows.push_back({m.method, cell(m.probability), cell(beta), cell(m.std_error),
-                          cell(m.lower), cell(m.upper), m.outcome});
-    }
-    return t;
-}
-
-/// "5 % quantile of the ultimate drift under 1.00 MPa"
-std::string quantile_words(const uq::ReliabilityProblem& p)
-{
-    return number(100.0 * p.quantile, 6) + " % quantile of " + p.words;
-}
-
-/// The response that is sought, in the unit in which people read it.
-Table quantile_table(const Question& q, const uq::ReliabilityAnswer& a)
-{
-    Table t;
-    t.title = quantile_words(q.problem);
-    t.caption =
-        "Intervals are 95 %; an end that is missing is not known. " + evaluations_text(a);
-    t.head = {"method", q.response.name, "lower", "upper", {"outcome", kNote}};
-    const auto shown = [&](const std::optional<double>& x) {
-        return x ? cell(q.response.scale * *x) : Number{};
-    };
-    for (const uq::MethodAnswer& m : a.methods)
-        t.rows.push_back(
-            {m.method, shown(m.quantile), shown(m.lower), shown(m.upper), m.outcome});
-    return t;
-}
-
-/// The table of the question that was asked.
-Table answer_table(const Question& q, const uq::ReliabilityAnswer& a)
-{
-    return q.problem.quantile > 0.0 ? quantile_table(q, a) : method_table(q.problem, a);
-}
-
-/// One line for each input and measure.
-Table sensitivity_table(const uq::ReliabilityAnswer& a)
-{
-    Table t;
-    t.title = "What the response depends on";
-    t.caption = "Intervals are 95 %.";
-    t.head = {"measure", "input", {"value", kInterval | kError}};
-    t.keys = 2;
-    for (const uq::Sensitivity& s : a.sensitivities)
-        for (const uq::InputShare& i : s.shares)
-            t.rows.push_back({s.measure, i.input,
-                              Number{.value = i.value,
-                                     .error = i.std_error.value_or(kUnknown),
-                                     .lower = i.lower.value_or(kUnknown),
-                                     .upper = i.upper.value_or(kUnknown),
-                                     .decimals = 3}});
-    return t;
-}
-
-Table point_table(const Question& q, const uq::ReliabilityAnswer& a)
-{
-    Table t;
-    t.title = "Design points, nearest first";
-    t.caption = "The most probable values at which the event begins.";
-    t.head = {"point", "beta", "input", "value"};
-    for (std::size_t k = 0; k < a.points.size(); ++k)
-        for (std::size_t i = 0; i < q.inputs.size(); ++i)
-            t.rows.push_back(
-                {count(static_cast<double>(k + 1)), cell(a.points[k].beta), q.inputs[i].name,
-                 cell(q.inputs[i].scale * a.points[k].x(static_cast<Eigen::Index>(i)))});
-    return t;
-}
-
-Table evaluation_table(const Question& q, const std::vector<uq::Evaluated>& seen)
-{
-    Table t;
-    for (const ShownNumber& input : q.inputs) t.head.emplace_back(input.name);
-    t.head.insert(t.head.end(), {q.response.name, "failure"});
-    for (const uq::Evaluated& e : seen) {
-        Row row;
-        for (std::size_t i = 0; i < q.inputs.size(); ++i)
-            row.emplace_back(Number{q.inputs[i].scale * e.x(static_cast<Eigen::Index>(i))});
-        row.emplace_back(e.failure.empty() ? Number{q.response.scale * e.response} : Number{});
-        row.emplace_back(e.failure);
-        t.rows.push_back(row);
-    }
-    return t;
-}
-
 Json share_json(const uq::InputShare& i)
 {
     return {{"input", i.input},
@@ -289,6 +166,20 @@ uq::KeptEvaluations kept_in(const Command& command, const std::string& model)
     }
 }
 
+/// Thrown where no evaluation is sound, so that no more are paid for. It is no std::exception,
+/// which would be the failure of its batch.
+struct NoneSound {
+    std::size_t tried;
+    std::string first; ///< why the first of them failed
+};
+
+void end_if_none_sound(const std::vector<uq::Evaluated>& seen)
+{
+    if (seen.size() >= uq::kUntilSound &&
+        std::ranges::none_of(seen, [](const uq::Evaluated& e) { return e.failure.empty(); }))
+        throw NoneSound{seen.size(), seen.front().failure};
+}
+
 /// The answer; the evaluations are written whether there is one or not.
 uq::ReliabilityAnswer answered(const Command& command, const Question& question)
 {
@@ -306,6 +197,7 @@ uq::ReliabilityAnswer answered(const Command& command, const Question& question)
         progress.update(static_cast<double>(seen.size()) / problem.budget,
                         std::to_string(seen.size()) + " evaluations");
         end_if_interrupted();
+        if (seen.size() < static_cast<std::size_t>(problem.budget)) end_if_none_sound(seen);
     };
     try {
         const uq::ReliabilityAnswer a = uq::reliability(problem, on_batch);
@@ -313,6 +205,16 @@ uq::ReliabilityAnswer answered(const Command& command, const Question& question)
         kept.remove();
         progress.finish(std::to_string(seen.size()) + " evaluations");
         return a;
+    } catch (const NoneSound& none) {
+        write_results(command.out, {{kEvaluations, as_csv(evaluation_table(question, seen))}},
+                      kReliabilityList);
+        kept.remove(); // what is mended may answer
+        throw std::runtime_error("the first " + std::to_string(none.tried) + " of " +
+                                 std::to_string(problem.budget) +
+                                 " evaluations all failed, and no more were made; " +
+                                 "the first failed because: " + none.first +
+                                 ". All of them are in " +
+                                 (fs::path(command.out) / kEvaluations).string());
     } catch (const uq::KeptEvaluations::NotKept& full) {
         throw std::runtime_error(full.what +
                                  "; make space there and run the same command again");

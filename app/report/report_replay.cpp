@@ -46,7 +46,7 @@ void push_missing(const PreparedStudy& ready, const std::vector<std::size_t>& mi
         if (seen) seen(all.pushed, missing.size());
     };
     dem::PushPlan plan = filmed_plan(study);
-    plan.progress = [](double, double, double) { end_if_interrupted(); };
+    plan.progress = [](const dem::PushProgress&) { end_if_interrupted(); };
     push_in_layouts(
         ready, plan, list, [&](std::size_t i) { return all.walls[missing[i]]->key.sample; },
         threads);

@@ -110,7 +110,7 @@ void WallQueue::push_waiting()
     };
     try {
         dem::PushPlan plan = bare_plan(study_);
-        plan.progress = [](double, double, double) { end_if_interrupted(); };
+        plan.progress = [](const dem::PushProgress&) { end_if_interrupted(); };
         push_walls(study_, model_, plan, list, 1);
     } catch (...) {
         for (auto& [i, answer] : running) answer.set_exception(std::current_exception());

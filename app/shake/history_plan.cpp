@@ -76,7 +76,7 @@ HistoryPlan history_plan(const PreparedStudy& ready)
     HistoryPlan plan;
     plan.records = shaking_records(study);
     plan.design = study.shaking.design;
-    plan.measures = kept_measures(plan.records.measure,
+    plan.measures = kept_measures(plan.records.at.measure,
                                   {0.5 * ready.layout.length, 0.5 * ready.layout.height});
     return plan;
 }

@@ -299,7 +299,7 @@ int shake_study_command(const Command& command)
     const fs::path file = shard_file(command.out, command.shard);
     const bool whole_study = command.shard.count == 1;
     if (whole_study)
-        if (const std::string note = check_replaced(summary_file(file), kHistorySummaryHead);
+        if (const std::string note = check_replaced(summary_file(file), kHistorySummaryMark);
             !command.quiet)
             std::cerr << note;
     if (file.has_parent_path()) make_folder(file.parent_path());

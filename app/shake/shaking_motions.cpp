@@ -2,7 +2,7 @@
 
 #include "app/input/study/study.hpp"
 #include "app/input/study/units.hpp"
-#include "app/text/number_text.hpp"
+#include "app/input/wall/wall_geometry.hpp"
 #include "app/text/words.hpp"
 #include "ground/intensity.hpp"
 #include "ground/motion_facts.hpp"
@@ -57,36 +57,6 @@ std::vector<ground::GroundMotion> motions_of(const StudyFile& file, const char* 
     }
 }
 
-/// Intensities in the unit in which people read the measure; the unit may follow each.
-std::vector<double> intensities_of(const Study& study, const ground::Measure& measure)
-{
-    constexpr const char* kKey = "shaking.intensities";
-    std::vector<double> all;
-    if (study.shaking.intensities.empty()) return all;
-    const std::string unit(measure_unit(measure));
-    for (std::string part : split_outside_brackets(study.shaking.intensities)) {
-        if (part.ends_with(unit))
-            part = std::string(
-                trimmed(std::string_view(part).substr(0, part.size() - unit.size())));
-        const double x = read_at(study.source, kKey, [&] { return parse_quantity(part, ""); });
-        if (x <= 0.0)
-            throw error_at(study.source, kKey, "must be above 0; write e.g. 0.1, 0.2 " + unit);
-        all.push_back(x * measure_unit_value(measure));
-    }
-    return all;
-}
-
-ground::Measure measure_of(const Study& study)
-{
-    using Kind = ground::MeasureKind;
-    const ground::Measure measure = read_at(study.source, "shaking.measure", [&] {
-        return ground::parse_measure(study.shaking.measure);
-    });
-    if (measure.kind != Kind::pga && measure.kind != Kind::pgv && measure.kind != Kind::sa)
-        throw error_at(study.source, "shaking.measure", "use pga, pgv or sa(0.3 s)");
-    return measure;
-}
-
 /// The vertical motion beside a horizontal one: as many samples, zeros where it is over.
 ground::GroundMotion beside(ground::GroundMotion vertical, const ground::GroundMotion& m,
                             const StudyFile& file)
@@ -112,16 +82,14 @@ ShakingRecords shaking_records(const Study& study)
                        "missing; write files of records or pulses, e.g. records = "
                        "half_sine(peak 0.5 g, duration 0.3 s)");
     ShakingRecords all;
-    all.measure = measure_of(study);
-    all.intensities = intensities_of(study, all.measure);
-    all.scale = given.scale;
+    all.at = shaken_intensities(study);
     std::optional<ground::GroundMotion> vertical;
     if (given.vertical != "none")
         vertical = motions_of(file, "shaking.vertical", given.vertical).front();
     for (const std::string& part : split_outside_brackets(given.records))
         for (ground::GroundMotion& m : motions_of(file, "shaking.records", part)) {
             ShakingRecord r;
-            r.own = intensity(m, all.measure);
+            r.own = intensity(m, all.at.measure);
             if (r.own <= 0.0)
                 throw error_at(file, "shaking.records", in_quotes(m.name) + " does not move");
             if (vertical) r.vertical = beside(*vertical, m, file);
@@ -133,21 +101,16 @@ ShakingRecords shaking_records(const Study& study)
 
 std::size_t intensity_count(const ShakingRecords& records)
 {
-    return std::max<std::size_t>(1, records.intensities.size());
+    return std::max<std::size_t>(1, records.at.values.size());
 }
 
 ShakingMotion shaking_motion(const ShakingRecords& all, std::size_t record,
                              std::size_t intensity)
 {
     const ShakingRecord& r = all.records.at(record);
-    ShakingMotion m{r.horizontal.name, all.scale, {}, {}};
-    if (!all.intensities.empty()) {
-        const double level = all.scale * all.intensities.at(intensity);
-        m.factor = level / r.own;
-        m.name += " at " + measure_text(all.measure) + " " +
-                  number(level / measure_unit_value(all.measure), 6) + " " +
-                  std::string(measure_unit(all.measure));
-    }
+    ShakingMotion m{
+        r.horizontal.name + intensity_text(all.at, intensity), all.at.scale, {}, {}};
+    if (!all.at.values.empty()) m.factor = all.at.scale * all.at.values.at(intensity) / r.own;
     m.horizontal = scaled(r.horizontal, m.factor);
     if (r.vertical) m.vertical = scaled(*r.vertical, m.factor);
     return m;
@@ -181,6 +144,11 @@ void check_shaken_study(const Study& study)
         study.solver.kinematics == dem::Kinematics::small)
         throw error_at(study.source, "solver.kinematics",
                        "a wall that is shaken turns by any amount; write finite, or remove it");
+    if (study.wall.toe == dem::Toe::held && study.wall.base == dem::Base::joint &&
+        in_courses(study))
+        throw error_at(study.source, "wall.toe",
+                       "is held sideways, and the blocks of a wall that is shaken are held "
+                       "altogether or not at all; write toe = free");
     if (study.shaking.contact_damping > 0.0 && closes(study.parameters.joint))
         throw error_at(study.source, "shaking.contact_damping",
                        "joints that close have no dashpots, they lose energy by "

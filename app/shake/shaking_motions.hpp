@@ -1,6 +1,7 @@
 #pragma once
 /// The motions that section [shaking] of a study asks for.
 
+#include "app/study/stored/shaken_intensities.hpp"
 #include "dem/shaking/shake.hpp"
 #include "ground/ground_motion.hpp"
 #include "ground/intensity.hpp"
@@ -23,9 +24,7 @@ struct ShakingRecord {
 /// The records of a study and the intensities to which each is scaled.
 struct ShakingRecords {
     std::vector<ShakingRecord> records;
-    ground::Measure measure;
-    std::vector<double> intensities; ///< [SI]; empty: the records as they are
-    double scale = 1.0;              ///< on all of them [-]
+    ShakenIntensities at;
 };
 
 /// One history: a record of one intensity.

@@ -6,6 +6,7 @@
 #include "app/input/wall/random_layouts.hpp"
 #include "app/input/wall/wall_geometry.hpp"
 #include "app/output/atomic_output.hpp"
+#include "app/output/picture/chart_frame.hpp"
 #include "app/output/picture/markup.hpp"
 #include "app/output/picture/wall_svg.hpp"
 #include "app/output/replaced_file.hpp"
@@ -29,6 +30,7 @@
 #include "fragility/curve/drift.hpp"
 #include "fragility/fits/observed_quantile.hpp"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <iostream>
@@ -211,9 +213,16 @@ Sheet sheet_of(const Study& study, const dem::Layout& layout, const PushedWall& 
 Chart sheet_curve(const Study& study, const PushedWall& wall)
 {
     Chart curve = capacity_chart(study, wall);
+    constexpr double kLeast = 300.0, kMost = 400.0; // [px]
     curve.title = "";
     curve.width = 680.0;
-    curve.height = 300.0;
+    curve.height = kLeast;
+    // A key of many limits takes its rows from the page, not from the plot.
+    const ChartFrame frame = lay_out_chart(curve);
+    if (frame.legend.empty()) return curve;
+    const double rows = frame.legend.back().at.y - frame.legend.front().at.y;
+    const bool numbered = frame.legend.back().number > 0;
+    curve.height = std::min(kMost, kLeast + rows + (numbered ? kNumberRow : 0.0));
     return curve;
 }
 

@@ -181,6 +181,9 @@ std::string certainty_text(const Sheet& s, const List& list)
     return body + "</ul>";
 }
 
+// Least heights of the picture of the mechanism and of the lists [mm].
+constexpr double kLeastPicture = 46.0, kLeastLists = 34.0;
+
 /// Heights of the lower half of the page, and how its lists share the width [mm].
 struct Lower {
     double picture = 0.0, table = 0.0, lists = 0.0;
@@ -190,7 +193,7 @@ struct Lower {
 /// The picture takes what table and lists leave. Where that is little the lists give way.
 Lower lower_half(const Sheet& s, double width, double height)
 {
-    constexpr double kGap = 5.0, kLeast = 46.0, kSeen = 58.0, kMost = 88.0, kFewest = 34.0;
+    constexpr double kGap = 5.0, kSeen = 58.0, kMost = 88.0;
     Lower lower;
     lower.table = table_height(s);
     double lists = 0.0;
@@ -208,7 +211,8 @@ Lower lower_half(const Sheet& s, double width, double height)
         }
         if (height - lower.table - lists >= kSeen) break;
     }
-    lower.picture = std::clamp(height - lower.table - std::max(kFewest, lists), kLeast, kMost);
+    lower.picture =
+        std::clamp(height - lower.table - std::max(kLeastLists, lists), kLeastPicture, kMost);
     lower.lists = height - lower.table - lower.picture;
     return lower;
 }
@@ -223,15 +227,21 @@ std::string sheet_page(const Sheet& s)
         std::string(kSheetMark) + "\n<title>" + xml_escape(s.title) + "</title>\n<style>" +
         std::string(kStyle) + "</style>\n</head>\n<body>\n<main>\n";
     page += box(kLeft, 9.0, kWide, 31.0, head(s));
-    page += box(kLeft, 41.0, 66.0, 58.0,
-                heading("The wall") + fitted_picture(s.drawing, 66.0, 52.0));
-    page += box(80.0, 41.0, 118.0, 58.0,
+    constexpr double kCurve = 118.0, kTop = 47.0, kHeading = 6.0, kGap = 1.0, kEnd = 286.0;
+    const double room =
+        kEnd - kTop - kGap - table_height(s) - kLeastPicture - kLeastLists; // [mm]
+    const double tall =
+        std::clamp(kCurve * attribute(s.curve, "height") / attribute(s.curve, "width"), 52.0,
+                   std::clamp(room, 52.0, 70.0));
+    page += box(kLeft, kTop - kHeading, 66.0, kHeading + tall,
+                heading("The wall") + fitted_picture(s.drawing, 66.0, tall));
+    page += box(80.0, kTop - kHeading, kCurve, kHeading + tall,
                 heading("Force over movement of the top, with all limits") +
-                    fitted_picture(s.curve, 118.0, 52.0));
-    constexpr double kMiddle = 100.0, kEnd = 286.0;
-    const Lower lower = lower_half(s, kWide, kEnd - kMiddle);
-    const double table = kMiddle + lower.picture, lists = table + lower.table;
-    page += box(kLeft, kMiddle, kWide, lower.picture,
+                    fitted_picture(s.curve, kCurve, tall));
+    const double middle = kTop + tall + kGap;
+    const Lower lower = lower_half(s, kWide, kEnd - middle);
+    const double table = middle + lower.picture, lists = table + lower.table;
+    page += box(kLeft, middle, kWide, lower.picture,
                 heading("How it moves and fails") +
                     fitted_picture(s.mechanism, kWide, lower.picture - 7.0));
     page += box(kLeft, table, kWide, lower.table, limits_table(s));

@@ -3,6 +3,7 @@
 #include "app/store/continued_head.hpp"
 #include "app/store/hdf5/file_lock.hpp"
 #include "app/store/hdf5/store_disk.hpp"
+#include "app/store/record_keys.hpp"
 #include "app/store/store_parts.hpp"
 #include "app/store/store_reader.hpp"
 #include "app/store/wall_file.hpp"
@@ -81,25 +82,13 @@ std::string plan_text(const StoreHead& head)
                                                 : "\nsingle precision no\n");
 }
 
-/// Without the lines of records, whose whole paths differ from machine to machine: the identity
-/// has their names and sums.
-std::string without_records(const std::string& configuration)
-{
-    std::istringstream in(configuration);
-    std::string text;
-    for (std::string line; std::getline(in, line);)
-        if (!line.starts_with("records ") && !line.starts_with("vertical "))
-            text += line + "\n";
-    return text;
-}
-
 /// The first of these that differs: what follows from it in the others is not said again.
 std::string shard_difference(const StoreHead& first, const StoreHead& other)
 {
     const std::string texts[] = {study_difference(whole(first), whole(other)),
                                  text_difference(plan_text(first), plan_text(other)),
-                                 text_difference(without_records(first.configuration),
-                                                 without_records(other.configuration))};
+                                 text_difference(without_record_keys(first.configuration),
+                                                 without_record_keys(other.configuration))};
     const auto* const why =
         std::ranges::find_if(texts, [](const std::string& text) { return !text.empty(); });
     return why == std::end(texts) ? "" : *why;

@@ -1,10 +1,10 @@
 #include "app/study/other_way.hpp"
 
 #include "app/input/prepared_study.hpp"
+#include "app/input/push_cost.hpp"
 #include "app/input/wall/random_layouts.hpp"
 #include "app/study/pushed/interrupt.hpp"
 #include "app/study/pushed/push_walls.hpp"
-#include "dem/block/contact_count.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -13,24 +13,12 @@
 namespace app {
 namespace {
 
-/// Steps that a push is likely to take: those of its fastest drive, and more the less error it
-/// bears. The walls of the paper take 1.5 to 3 times those of the fastest at 1 %, 7 to 26 times
-/// at 0.1 %.
-double expected_steps(const Study& study)
-{
-    constexpr double kTwice = 0.015; // accuracy that takes twice the steps of the fastest drive
-    const dem::SolverOptions& o = study.solver;
-    const double slower = o.unbalance_limit > 0.0 ? kTwice / o.accuracy : 0.0;
-    return 1e3 * push_way(study).length * o.steps_per_mm * (1.0 + slower);
-}
-
 /// Whether a push takes no longer than half a minute of one core.
 bool is_cheap(const Study& study, const dem::Layout& layout)
 {
     constexpr double kMost = 1e9; // contact updates
     if (!study.cracks.where.empty()) return false;
-    const std::size_t contacts = dem::contact_count(layout, study.discretisation);
-    return expected_steps(study) * static_cast<double>(contacts) < kMost;
+    return expected_updates(study, layout) < kMost;
 }
 
 bool goes_both_ways(const Study& study, const dem::Layout& layout)
@@ -50,7 +38,7 @@ std::vector<PushedWall> push_other_way(const Study& study, const dem::Model& mod
     plan.snapshot_every = 0.0;
     std::optional<dem::Model> own; // a toe that is held changes sides
     if (other.wall != study.wall) own = model_of(lay_again(other));
-    plan.progress = [&](double, double, double) {
+    plan.progress = [&](const dem::PushProgress&) {
         if (interrupted()) throw Interrupted();
         if (look) look();
     };

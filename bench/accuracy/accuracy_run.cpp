@@ -24,7 +24,7 @@ struct TooDear : std::exception {};
 dem::PushPlan limited(dem::PushPlan plan, double most_seconds)
 {
     const double end = dem::thread_seconds() + most_seconds;
-    plan.progress = [end](double, double, double) {
+    plan.progress = [end](const dem::PushProgress&) {
         if (dem::thread_seconds() > end) throw TooDear();
     };
     return plan;

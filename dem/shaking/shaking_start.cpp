@@ -18,7 +18,7 @@ constexpr long long kStartLook = 50; // steps between looks
 void stop(const StepTables& t, WallState<double>& s)
 {
     std::ranges::fill(s.v, 0.0);
-    s.work = s.friction = s.fracture = s.crushing = s.damping = 0.0;
+    s.work = s.friction = s.fracture = s.crushing = s.damping = s.closing = 0.0;
     s.work = energy_of(t, s, 0).elastic;
 }
 

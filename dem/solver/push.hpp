@@ -120,6 +120,16 @@ struct SnapshotSink {
     std::function<void(std::size_t wall)> forget;
 };
 
+/// How far the push of a wall is. One that begins again says why by what it counts.
+struct PushProgress {
+    std::size_t wall = 0;      ///< number in its ensemble
+    double done = 0.0;         ///< share of its way since it began (again) [-], in [0, 1]
+    double displacement = 0.0; ///< of the load line [m]
+    double force = 0.0;        ///< [N]
+    int slow_starts = 0, step_reductions = 0, slowdowns = 0; ///< as in PushResult
+    double error_before = 0.0; ///< of the push before the last slowdown [-]; 0: there is none
+};
+
 /// Where to push the wall and what to keep. Nothing is computed that is not asked for.
 struct PushPlan {
     /// Displacements of the load line in order [m]; in a cyclic push they change sign.
@@ -136,8 +146,8 @@ struct PushPlan {
     double drop = 0.0;
     /// Is asked at each curve point and ends the push by returning true. May be empty.
     std::function<bool(std::span<const CurvePoint>)> decided;
-    /// Is told every few hundred steps how far the push is, done in [0, 1]. May be empty.
-    std::function<void(double done, double displacement, double force)> progress;
+    /// Is told every few hundred steps how far the push is. May be empty.
+    std::function<void(const PushProgress&)> progress;
 };
 
 /// @throws std::invalid_argument if the materials do not fit the model or a value is outside

@@ -368,8 +368,9 @@ template <class Real> bool WallRun::look(WallState<Real>& state, int lane)
     if (++steps_ % every != 0 && !over) return true;
     result_.outcome = judge(state, lane);
     if (task_->plan.progress)
-        task_->plan.progress(drive_.done(), drive_.position(),
-                             dem::lane(state.top_force, lane));
+        task_->plan.progress({number_, drive_.done(), drive_.position(),
+                              dem::lane(state.top_force, lane), result_.slow_starts,
+                              result_.step_reductions, result_.slowdowns, error_before_});
     const bool too_large =
         result_.outcome == Outcome::not_finite || result_.outcome == Outcome::energy_astray;
     if (too_large && options_.step_fraction > kSmallestStep) {
@@ -386,6 +387,7 @@ template <class Real> bool WallRun::look(WallState<Real>& state, int lane)
     if ((over || result_.outcome == Outcome::lost_equilibrium) && wants_slowdown()) {
         options_ = slower(options_, kSlowdown);
         pushed_before_ = peak_;
+        error_before_ = result_.solver_error;
         ++result_.slowdowns;
         start_again();
         load(state, lane);

@@ -88,6 +88,7 @@ class WallRun {
     double force_before_ = 0.0;           ///< of the drive, before the step [N]
     double step_drive_ = 0.0;             ///< of the step [m]
     std::optional<double> pushed_before_; ///< peak of the push before, twice as fast [N]
+    double error_before_ = 0.0;           ///< of its peak [-]
     double peak_ = 0.0;                   ///< largest force so far, either way [N]
     double farthest_ = 0.0;               ///< distance of the farthest turn so far [m]
     double way_ = 0.0;              ///< displacement travelled since the start of the push [m]

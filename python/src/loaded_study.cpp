@@ -99,7 +99,7 @@ std::vector<app::PushedWall> push_beside_python(LoadedStudy& study,
         plan.snapshot_every =
             snapshots == Snapshots::all ? study.source.ready.study.output.snapshot_every : 0.0;
         plan.snapshot_at_peak = snapshots != Snapshots::none;
-        plan.progress = [&](double, double, double) { python.end_if_asked(); };
+        plan.progress = [&](const dem::PushProgress&) { python.end_if_asked(); };
         app::PushList list;
         list.size = wanted.size();
         list.wall = [&](std::size_t i) { return wanted[i]; };

@@ -198,6 +198,52 @@ std::string cosmos(int n)
            rows(a, "%15.6e", 1) + "End-of-data\n";
 }
 
+namespace {
+
+constexpr double kGalOfCount = 2000.0 / 8388608.0;
+
+std::vector<int> knet_counts(int n)
+{
+    constexpr int kZero = -123456;
+    std::vector<int> counts;
+    for (const double a : wave(n, 120.0))
+        counts.push_back(kZero + static_cast<int>(std::lround(a / kGalOfCount)));
+    return counts;
+}
+
+} // namespace
+
+std::vector<double> knet_wave(int n)
+{
+    std::vector<double> a;
+    double mean = 0.0;
+    for (const int c : knet_counts(n)) {
+        a.push_back(c * kGalOfCount);
+        mean += a.back() / n;
+    }
+    for (double& v : a) v -= mean;
+    return a;
+}
+
+std::string knet(int n)
+{
+    std::string text =
+        "Origin Time       2004/10/23 17:56:00\nLat.              37.292\n"
+        "Long.             138.867\nDepth. (km)       13\nMag.              6.8\n"
+        "Station Code      XXX001\nStation Lat.      37.3000\nStation Long.     138.8000\n"
+        "Station Height(m) 50\nRecord Time       2004/10/23 17:56:15\n"
+        "Sampling Freq(Hz) 100Hz\n" +
+        printed("Duration Time(s)  %g\n", 0.01 * n) +
+        "Dir.              E-W\nScale Factor      2000(gal)/8388608\n" +
+        printed("Max. Acc. (gal)   %.3f\n", std::abs(peak_of(knet_wave(n)))) +
+        "Last Correction   2004/10/23 17:56:00\nMemo.             \n";
+    const std::vector<int> counts = knet_counts(n);
+    for (std::size_t i = 0; i < counts.size(); ++i)
+        text += printed("%9d", counts[i]) +
+                ((i + 1) % 8 == 0 || i + 1 == counts.size() ? "\n" : "");
+    return text;
+}
+
 std::string usgs(int n)
 {
     const std::vector<double> a = wave(n, 50.0);
@@ -223,6 +269,7 @@ std::vector<Sample> all(int n)
             {smc(n), "USGS SMC", 0.01, 1, wave(n, 80.0), 0.005},
             {esm(n), "ESM ASCII", 0.01, 1, wave(n, 50.0), 0.005},
             {cosmos(n), "COSMOS V2c", 0.01, 1, wave(n, 50.0), 0.005},
+            {knet(n), "K-NET ASCII", 0.01, 1, knet_wave(n), 0.01},
             {usgs(n), "USGS text", 0.01, 1, wave(n, 50.0), 0.005}};
 }
 

@@ -18,6 +18,10 @@ namespace record_texts {
 [[nodiscard]] std::string smc(int n);
 [[nodiscard]] std::string esm(int n);
 [[nodiscard]] std::string cosmos(int n);
+/// Counts of 2000 gal / 8388608, from a zero of their own.
+[[nodiscard]] std::string knet(int n);
+/// Its values: less their mean [gal].
+[[nodiscard]] std::vector<double> knet_wave(int n);
 [[nodiscard]] std::string usgs(int n);
 
 struct Sample {

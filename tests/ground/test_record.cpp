@@ -58,6 +58,33 @@ TEST_CASE("record: components have names", "[ground][record]")
     CHECK(read(record_texts::v2a(40))[1].component == "N20E");
 }
 
+TEST_CASE("record: K-NET counts are less their mean, and this is said", "[ground][record]")
+{
+    const std::string good = record_texts::knet(40);
+    const auto r = ground::parse_records("XXX0010410231756.EW", good).front();
+    CHECK(r.motion.name == "XXX0010410231756.EW"); // .NS and .UD are others
+    CHECK(r.component == "E-W");
+    CHECK(r.unit == "gal");
+    CHECK(r.line == 18);
+    REQUIRE(r.remarks.size() == 1);
+    CHECK_THAT(r.remarks[0], StartsWith("the mean, -2") && Contains(" gal, was taken off"));
+    REQUIRE(r.stated_peak.has_value());
+    CHECK_THROWS_WITH(read(replaced(good, "2000(gal)", "4000(gal)")),
+                      StartsWith("r.txt:15: the head states a peak of "));
+    CHECK_THROWS_WITH(read(replaced(good, "/8388608", "")),
+                      StartsWith("r.txt:14: no scale; it is written as in "));
+    CHECK_THROWS_WITH(read(replaced(good, "(gal)/", "(um)/")),
+                      StartsWith("r.txt:18: \"um\" is no unit of acceleration"));
+    CHECK_THROWS_WITH(read(replaced(good, "(s)  0.4", "(s)  0.5")),
+                      Contains("the file ends after 40 of 50 values"));
+    CHECK_THROWS_WITH(read(replaced(good, "(s)  0.4", "(s)  0.3")),
+                      Contains("more than the 30 values"));
+    CHECK_THROWS_WITH(read(replaced(good, "100Hz", "Hz")),
+                      StartsWith("r.txt:11: no frequency; it is written as in "));
+    CHECK_THROWS_WITH(read(replaced(good, "Memo.", "")),
+                      StartsWith("r.txt:1: the head has no line of \"Memo.\""));
+}
+
 TEST_CASE("record: values that touch each other are told apart", "[ground][record]")
 {
     const auto r =

@@ -91,7 +91,7 @@ dem::PushPlan shown_plan(const Study& study, int frames)
         frame(numbers.data(), numbers.size(), shot.displacement, shot.force);
     };
     plan.sink.forget = [](std::size_t) { again(); };
-    plan.progress = told;
+    plan.progress = [](const dem::PushProgress& p) { told(p.done, p.displacement, p.force); };
     return plan;
 }
 

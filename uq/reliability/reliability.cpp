@@ -5,8 +5,8 @@
 #include "uq/reliability/active/active_learning.hpp"
 #include "uq/reliability/active/active_quantile.hpp"
 #include "uq/reliability/design_methods.hpp"
-#include "uq/reliability/limit_state/evaluate.hpp"
 #include "uq/reliability/method_answers.hpp"
+#include "uq/reliability/noted_model.hpp"
 #include "uq/reliability/simulation/crude_monte_carlo.hpp"
 #include "uq/reliability/simulation/subset_simulation.hpp"
 #include "uq/sensitivity/regression.hpp"
@@ -226,20 +226,6 @@ void rank_correlations(const ReliabilityProblem& p, const std::vector<Evaluated>
     a.sensitivities.push_back(std::move(s));
 }
 
-/// The model, with a note of what it was asked and what it said. Samples that the model throws
-/// on are failed samples here already, so that they are noted too.
-BlackBox noting(const LimitState& s, std::vector<Evaluated>& seen, const OnBatch& on_batch)
-{
-    return [model = s.model, response = s.response, &seen, on_batch](const Samples& samples) {
-        Responses r = evaluate(model, samples, response + 1);
-        const std::size_t before = seen.size();
-        for (Eigen::Index i = 0; i < samples.x.rows(); ++i)
-            seen.push_back({samples.x.row(i).transpose(), r.y(i, response), r.failure[i]});
-        if (on_batch) on_batch(std::span(seen).subspan(before));
-        return r;
-    };
-}
-
 void check_problem(const ReliabilityProblem& p)
 {
     const auto refuse = [](const std::string& why) {
@@ -320,7 +306,7 @@ ReliabilityAnswer reliability(const ReliabilityProblem& problem, const OnBatch& 
     check_problem(problem);
     std::vector<Evaluated> seen;
     ReliabilityProblem p = problem;
-    p.event.model = noting(problem.event, seen, on_batch);
+    p.event.model = noted_model(problem.event, seen, on_batch);
     ReliabilityAnswer a;
     const auto budget = static_cast<std::size_t>(p.budget);
     switch (p.method) {

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -85,6 +86,10 @@ struct Evaluated {
 /// @param dimension of the event's coordinates
 [[nodiscard]] std::string budget_too_small(ReliabilityMethod method, int budget,
                                            Eigen::Index dimension);
+
+/// Samples that are asked for at a time until one of them is sound: where none ever is, who is
+/// called after every batch can end the analysis.
+inline constexpr std::size_t kUntilSound = 20;
 
 /// Called after every batch with what was evaluated in it, in order. What it throws ends the
 /// analysis, but for a std::exception, which would be the failure of the batch.

@@ -174,11 +174,13 @@ Table history_table(const IntensityData& data)
 {
     Table t;
     t.title = "Histories";
-    t.caption = "Each history with its measures in SI; drifts in %.";
-    t.head = {"stress [MPa]", "wall", "record",        "intensity",
+    t.caption = "Each history with the measures of its motion.";
+    const ShakenIntensities& at = data.histories.at;
+    t.head = {"stress [MPa]", "wall", "record",        intensity_head(at),
               "outcome",      "mode", "max drift [%]", "residual drift [%]",
               "collapse [s]"};
-    for (const std::string& m : data.histories.measures) t.head.emplace_back(m);
+    for (std::size_t m = 0; m < data.histories.measures.size(); ++m)
+        t.head.emplace_back(data.histories.measures[m] + " [" + data.histories.units[m] + "]");
     t.keys = 4;
     const auto known = [](double x, double scale) {
         return std::isfinite(x) ? Number{.value = scale * x} : Number{};
@@ -188,7 +190,7 @@ Table history_table(const IntensityData& data)
             Row row = {stress_cell(level.stress),
                        count(h.wall),
                        data.histories.records[h.record],
-                       count(h.intensity + 1),
+                       intensity_cell(at, h.intensity),
                        std::string(h.failed ? "failed"
                                    : h.fell ? "fell"
                                             : "stood"),

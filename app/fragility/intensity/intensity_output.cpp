@@ -103,7 +103,8 @@ Table stripe_table(const IntensityData& data)
     t.caption = "Shares of the histories that reached each state, with Wilson intervals that "
                 "take them as independent and hold whatever the failed ones would have been; "
                 "modes where the walls turned back from their largest drift, or fell.";
-    t.head = {"stress [MPa]", "intensity",
+    const ShakenIntensities& at = data.histories.at;
+    t.head = {"stress [MPa]", intensity_head(at),
               "median " + data.measure_name + " [" + data.unit + "]", "histories", "failed"};
     for (const IntensityState& s : data.states) t.head.push_back({s.name + " [%]", kInterval});
     for (const char* const mode : {"rocking [%]", "sliding [%]", "mixed [%]"})
@@ -125,7 +126,7 @@ Table stripe_table(const IntensityData& data)
             }
             std::ranges::sort(x);
             const double failed = static_cast<double>(all.size()) - n;
-            Row row = {stress_cell(level.stress), count(intensity + 1),
+            Row row = {stress_cell(level.stress), intensity_cell(at, intensity),
                        plain_number(x[x.size() / 2], decimals_for(x[x.size() / 2])),
                        count(all.size()), count(failed)};
             for (const IntensityState& s : data.states) {

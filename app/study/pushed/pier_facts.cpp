@@ -59,10 +59,9 @@ PierFacts facts_of(const Study& study, const dem::PierProbe& probe, const PierHi
                    const PierHistory& calm, std::size_t i, const PushedWall& wall,
                    const dem::Snapshot& moved)
 {
-    constexpr double kMoves = 1e-4; // [-], of its height: a pier that stands still has no mode
     PierFacts f;
     const dem::Pier& pier = probe.piers().piers[i];
-    const double way = push_way(study).direction, height = pier.at.z1 - pier.at.z0;
+    const double way = push_way(study).direction;
     const dem::PierState peak = calm[at_peak(calm)].piers[i];
     f.normal_before = history.front().piers[i].force.normal;
     f.normal_at_peak = peak.force.normal;
@@ -80,11 +79,10 @@ PierFacts facts_of(const Study& study, const dem::PierProbe& probe, const PierHi
     f.most_shear = way * strongest->force.shear;
     f.slenderness =
         slenderness_of(pier, strongest->force, study.load.height / (pier.at.x1 - pier.at.x0));
-    const dem::Snapshot alone = probe.alone(i, moved);
-    if (!alone.blocks.empty() && std::abs(alone.displacement) > kMoves * height) {
-        f.moved = 1.0;
-        f.mechanism = dem::mechanism(alone, height);
-    }
+    const auto own = movement_at_drop(calm, i, way, push_plan(study).drop);
+    const PierMovement m = own ? *own : pier_movement(probe, i, moved);
+    f.moved = m.moved ? 1.0 : 0.0;
+    f.mechanism = m.mechanism;
     return f;
 }
 

@@ -24,7 +24,9 @@ struct PierFacts {
     double slenderness =
         0.0; ///< H0 / D where it carries most: M / (V D) at the end with the larger moment [-]
     double moved = 0.0; ///< 1, or 0: it stands still and has no mode
-    /// Its own blocks, as mechanism() tells them over its own height.
+    /// Its own blocks, as mechanism() tells them over its own height, where its own shear has
+    /// come down to fragility.ultimate_share of its largest; where it keeps its shear, as the
+    /// wall is read.
     dem::Mechanism mechanism;
     /// At the points of the wall's curve, of single precision: movement of its upper end
     /// against its lower end [m], and shear [N].
@@ -42,7 +44,7 @@ struct SpandrelFacts {
                                                         const PierHistory& calm);
 
 /// @param history of at least two points
-/// @param moved by which the mode of the wall is read
+/// @param moved by which the mode of the wall is read, and that of piers that keep their shear
 [[nodiscard]] std::vector<PierFacts> pier_facts(const Study& study, const dem::PierProbe& probe,
                                                 const PierHistory& history,
                                                 const PierHistory& calm, const PushedWall& wall,

@@ -32,9 +32,20 @@ void set_mean(const PierHistory& history, std::size_t first, std::size_t last, P
 
 } // namespace
 
+PierMovement pier_movement(const dem::PierProbe& probe, std::size_t pier,
+                           const dem::Snapshot& shot)
+{
+    constexpr double kMoves = 1e-4; // [-], of its height: a pier that stands still has no mode
+    const dem::Region& at = probe.piers().piers.at(pier).at;
+    const double height = at.z1 - at.z0;
+    const dem::Snapshot alone = probe.alone(pier, shot);
+    if (alone.blocks.empty() || !(std::abs(alone.displacement) > kMoves * height)) return {};
+    return {true, dem::mechanism(alone, height)};
+}
+
 PierInstant pier_instant(const dem::PierProbe& probe, const dem::Snapshot& shot)
 {
-    PierInstant now{shot.displacement, shot.force, probe.base_shear(shot), {}, {}};
+    PierInstant now{shot.displacement, shot.force, probe.base_shear(shot), {}, {}, {}};
     const dem::Piers& all = probe.piers();
     for (std::size_t i = 0; i < all.piers.size(); ++i) now.piers.push_back(probe.pier(i, shot));
     for (std::size_t i = 0; i < all.spandrels.size(); ++i)
@@ -63,6 +74,22 @@ std::size_t at_peak(const PierHistory& history)
     const auto most = std::ranges::max_element(
         history, {}, [](const PierInstant& i) { return std::abs(i.force); });
     return static_cast<std::size_t>(most - history.begin());
+}
+
+std::optional<PierMovement> movement_at_drop(const PierHistory& calm, std::size_t pier,
+                                             double way, double share)
+{
+    const auto shear = [&](const PierInstant& now) {
+        return way * now.piers[pier].force.shear;
+    };
+    const auto strongest = std::ranges::max_element(calm, {}, shear);
+    if (!(share > 0.0) || !(shear(*strongest) > 0.0)) return {};
+    const double down = share * shear(*strongest);
+    auto drop = std::find_if(strongest, calm.end(),
+                             [&](const PierInstant& now) { return shear(now) <= down; });
+    while (drop != calm.end() && drop->movements.empty()) ++drop;
+    if (drop == calm.end() || !drop->movements[pier].moved) return {};
+    return drop->movements[pier];
 }
 
 } // namespace app

@@ -20,7 +20,7 @@ PierWatch::PierWatch(const Study& study, const dem::Layout& layout, dem::PushPla
         .take =
             [this, every, next = plan.sink.take](std::size_t wall, dem::Snapshot&& shot) {
                 Watched& w = watched(wall);
-                w.history.push_back(pier_instant(*probe_, shot));
+                w.history.push_back(instant(w, shot));
                 constexpr double kRounding = 1e-9; // as dem/solver/wall_run.cpp
                 if (every <= 0.0 || std::abs(shot.displacement) < w.next * (1.0 - kRounding))
                     return;
@@ -35,6 +35,17 @@ PierWatch::PierWatch(const Study& study, const dem::Layout& layout, dem::PushPla
                 watched(wall) = {};
                 if (next) next(wall);
             }};
+}
+
+/// Movements are looked at as often as forces are calmed.
+PierInstant PierWatch::instant(Watched& w, const dem::Snapshot& shot) const
+{
+    PierInstant now = pier_instant(*probe_, shot);
+    if (std::abs(shot.displacement) < w.look) return now;
+    w.look = std::abs(shot.displacement) + kCalm * study_.load.height;
+    for (std::size_t i = 0; i < probe_->piers().piers.size(); ++i)
+        now.movements.push_back(pier_movement(*probe_, i, shot));
+    return now;
 }
 
 PierWatch::Watched& PierWatch::watched(std::size_t wall)

@@ -30,9 +30,11 @@ class PierWatch {
     struct Watched {
         PierHistory history;
         double next = 0.0;               ///< way to the next snapshot that is handed on [m]
+        double look = 0.0;               ///< way to the next look at movements [m]
         std::vector<dem::Snapshot> kept; ///< where nobody takes them
     };
     Watched& watched(std::size_t wall);
+    PierInstant instant(Watched& w, const dem::Snapshot& shot) const;
 
     const Study& study_;
     std::optional<dem::PierProbe> probe_;

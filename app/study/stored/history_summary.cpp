@@ -18,7 +18,7 @@ double middle_of(std::vector<double> x)
     return *middle;
 }
 
-Row summary_row(double stress, std::size_t intensity,
+Row summary_row(double stress, Number intensity,
                 const std::vector<const StoredHistory*>& histories)
 {
     std::size_t fell = 0, bad = 0;
@@ -41,7 +41,7 @@ Row summary_row(double stress, std::size_t intensity,
         return std::isfinite(m) ? plain_number(m, 3) : Number{};
     };
     return {stress_cell(stress),
-            count(intensity + 1),
+            intensity,
             count(histories.size()),
             count(bad),
             middle(drifts),
@@ -61,13 +61,12 @@ HistorySummary history_summary(const StoredHistories& all)
     HistorySummary s;
     s.table.title = "Shaken walls";
     s.table.caption =
-        "Histories by stress and intensity (the n-th of shaking.intensities). Medians are "
-        "those "
-        "of all histories with numbers, walls that fell above all others; empty where half of "
+        "Histories by stress and intensity. Medians are those of all histories with numbers, "
+        "walls that fell above all others; empty where half of "
         "them fell. Modes: how the wall moved where it turned back from its largest "
         "displacement, or fell.";
     s.table.head = {"stress [MPa]",
-                    "intensity",
+                    intensity_head(all.at),
                     "histories",
                     "failed",
                     "median drift [%]",
@@ -85,7 +84,8 @@ HistorySummary history_summary(const StoredHistories& all)
             s.failed += h.failed ? 1 : 0;
         }
         for (const auto& [intensity, histories] : by)
-            s.table.rows.push_back(summary_row(level.stress, intensity, histories));
+            s.table.rows.push_back(
+                summary_row(level.stress, intensity_cell(all.at, intensity), histories));
     }
     s.remarks = history_troubles(all);
     return s;

@@ -10,7 +10,9 @@
 
 namespace app {
 
-inline constexpr std::string_view kHistorySummaryHead = "stress [MPa],intensity,histories";
+/// Is in the head of such a table, whatever its intensities are.
+inline constexpr std::string_view kHistorySummaryMark =
+    ",histories,failed,median drift [%],median residual [%],fell,";
 
 struct HistorySummary {
     Table table; ///< a row for each stress and intensity

@@ -68,7 +68,8 @@ StoredHistory history_of_row(const std::filesystem::path& file, const StoredHist
     };
     h.wall = index(p.wall, "wall", kMostWalls);
     h.record = index(p.record, "record", all.records.size());
-    h.intensity = index(p.intensity, "intensity", kMostWalls);
+    h.intensity =
+        index(p.intensity, "intensity", std::max<std::size_t>(1, all.at.values.size()));
     for (const std::size_t m : p.measures) h.measures.push_back(row.responses[m]);
     h.seconds = row.cost[p.seconds];
     h.failed = row.status != kWallOk;
@@ -121,11 +122,14 @@ StoredHistories read_histories(const std::filesystem::path& file,
     if (!holds_histories(all.head))
         throw BadStoredStudy("'" + file.string() + "' holds no walls that were shaken");
     all.study = stored_study(file, all.head, overrides);
+    all.at = shaken_intensities(all.study);
     for (const std::string& line : record_lines(all.head.identity))
         all.records.push_back(record_name(line));
     const HistoryPlaces places = places_of(file, all.head);
-    for (const std::size_t m : places.measures)
+    for (const std::size_t m : places.measures) {
         all.measures.push_back(text_of_measure(all.head.responses[m].name));
+        all.units.push_back(all.head.responses[m].unit);
+    }
     for (const StoreLevel& level : all.head.levels)
         all.levels.push_back({level.vertical_stress, {}, 0});
     reader.for_each_row([&](const WallRow& row) {
@@ -149,7 +153,7 @@ std::string history_troubles(const StoredHistories& all)
             if (h.failed)
                 why[h.reason].push_back(stress_text(level.stress) + ", wall " +
                                         std::to_string(h.wall) + ", " + all.records[h.record] +
-                                        ", intensity " + std::to_string(h.intensity));
+                                        intensity_text(all.at, h.intensity));
     }
     std::string text;
     for (const auto& [reason, names] : why) {

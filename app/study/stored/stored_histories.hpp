@@ -4,6 +4,7 @@
 #include "app/input/study/study.hpp"
 #include "app/store/store_head.hpp"
 #include "app/store/store_row.hpp"
+#include "app/study/stored/shaken_intensities.hpp"
 #include "dem/scene/mechanism/mechanism.hpp"
 
 #include <cstddef>
@@ -41,8 +42,10 @@ struct StoredHistories {
     bool shard = false;
     Study study;
     StoreHead head;
+    ShakenIntensities at;              ///< whose values StoredHistory::intensity counts
     std::vector<std::string> records;  ///< names
     std::vector<std::string> measures; ///< "pga", "sa(0.3 s)", ...
+    std::vector<std::string> units;    ///< SI, of each measure
     std::vector<HistoryLevel> levels;
 };
 

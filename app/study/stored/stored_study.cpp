@@ -4,12 +4,12 @@
 #include "app/input/study_reading.hpp"
 #include "app/store/continued_head.hpp"
 #include "app/store/hdf5/store_error.hpp"
+#include "app/store/record_keys.hpp"
 #include "app/study/stored/history_names.hpp"
 #include "app/study/stored/study_identity.hpp"
 #include "app/text/words.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <span>
 #include <sstream>
@@ -19,17 +19,19 @@ namespace app {
 namespace {
 
 /// The configuration has the scale that was found, and whole paths of records; the identity has
-/// what was given. Records have a sum of their own in it.
-constexpr std::array<std::string_view, 3> kFoundOut = {"load.protocol_scale", "shaking.records",
-                                                       "shaking.vertical"};
+/// what was given.
+bool is_found_out(std::string_view key)
+{
+    return key == "load.protocol_scale" ||
+           std::ranges::find(kRecordKeys, key) != kRecordKeys.end();
+}
 
 std::string without_found_out(const std::string& identity)
 {
     std::string text;
     std::istringstream in(identity);
     for (std::string line; std::getline(in, line);)
-        if (std::ranges::count(kFoundOut,
-                               trimmed(std::string_view(line).substr(0, line.find('=')))) == 0)
+        if (!is_found_out(trimmed(std::string_view(line).substr(0, line.find('=')))))
             text += line + "\n";
     return text;
 }

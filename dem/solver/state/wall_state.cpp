@@ -15,9 +15,9 @@ template <class Real> void clear_lane(const StepTables& t, int lane, WallState<R
         for (Real& x : *values) set_lane(x, lane, 0.0);
     for (Real& r : s.roughness) set_lane(r, lane, 1.0);
     for (Real& p : s.borne) set_lane(p, lane, kNothingBorne);
-    for (Real* x : {&s.work, &s.friction, &s.fracture, &s.crushing, &s.damping, &s.top_force,
-                    &s.base_shear, &s.load_x, &s.body_factor, &s.softened_in_tension,
-                    &s.softened_in_shear})
+    for (Real* x : {&s.work, &s.friction, &s.fracture, &s.crushing, &s.damping, &s.closing,
+                    &s.top_force, &s.base_shear, &s.load_x, &s.body_factor,
+                    &s.softened_in_tension, &s.softened_in_shear})
         set_lane(*x, lane, 0.0);
     if (!s.finite.frames.empty()) clear_lane(t.finite, lane, s.finite);
 }
@@ -171,6 +171,7 @@ template <class Real> Energy energy_of(const StepTables& t, const WallState<Real
     e.fracture = at(s.fracture);
     e.crushing = at(s.crushing);
     e.damping = at(s.damping);
+    e.closing = at(s.closing);
     return e;
 }
 

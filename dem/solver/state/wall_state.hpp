@@ -37,7 +37,8 @@ template <class Real> struct WallState {
     /// enough [Pa]; or empty.
     std::vector<Real> borne;
     Real work{0.0}, friction{0.0}, fracture{0.0}, crushing{0.0},
-        damping{0.0}; ///< energy so far [J]
+        damping{0.0};  ///< energy so far [J]
+    Real closing{0.0}; ///< of the friction, what joints lose as they close [J]
     /// Crack contacts that have ever lost a part of their strength but not all of it: in
     /// tension, in shear.
     Real softened_in_tension{0.0}, softened_in_shear{0.0};

@@ -53,6 +53,7 @@ Real crushed_further(std::size_t at, int home, Real u_n, Real area, Mask touches
 template <class Real> struct FurtherUpdate {
     Real sigma, tau;       ///< [Pa]
     Real friction, stored; ///< per area [J/m2]
+    Real closing;          ///< lost in closing, per area [J/m2]
     Real pressure;         ///< of a joint that closes [Pa]
 };
 
@@ -77,8 +78,9 @@ FurtherUpdate<Real> advance_further_contact(const ContactRun& run, int i, std::s
                             : advance(worn_law(s, run.law, run.first + i), last, u_n, slip);
     s.finite.further_u_n[at] = u_n;
     s.finite.further_tau[at] = select(touches, u.state.tau, zero);
-    return {u.sigma, u.state.tau, u.friction,
-            stored_energy(law, u.state.u_n, u.sigma, u.state.tau), zero};
+    return {u.sigma,    u.state.tau,
+            u.friction, stored_energy(law, u.state.u_n, u.sigma, u.state.tau),
+            zero,       zero};
 }
 
 /// The same where joints close.
@@ -104,8 +106,9 @@ FurtherUpdate<Real> advance_further_closing(const ContactRun& run, int i, std::s
     s.finite.further_u_n[at] = select(touches, u.state.u_n, zero);
     s.finite.further_shear[at] = select(touches, u.state.shear, zero);
     s.finite.further_rest[at] = select(touches, u.state.rest, zero);
-    return {u.sigma, u.tau, u.friction, stored_energy<kClosure>(law, u.state),
-            select(touches, u.pressure, zero)};
+    return {u.sigma,    u.tau,
+            u.friction, stored_energy<kClosure>(law, u.state),
+            u.closing,  select(touches, u.pressure, zero)};
 }
 
 /// A block and one onto which it slides. Both are felt as rigid: the elastic modes know the
@@ -124,7 +127,7 @@ void advance_further(const StepTables& t, const ContactRun& run, int row, Mask a
                slip = slip_of(o, a, b);
     const Real grown = share - before;
     StressSum<Real> sum;
-    Real friction(0.0), stored(0.0), most(0.0); // [J], [J], [Pa]
+    Real friction(0.0), closing(0.0), stored(0.0), most(0.0); // [J], [J], [J], [Pa]
     for (int i = 0; i < run.count; ++i) {
         const std::size_t at = static_cast<std::size_t>(row) * t.finite.most_points + i;
         const Real place(t.finite.place[run.first + i]), area(t.area[run.first + i]);
@@ -139,11 +142,13 @@ void advance_further(const StepTables& t, const ContactRun& run, int row, Mask a
                                                               before * area, touches, s);
             });
         friction = multiply_add(area, u.friction, friction);
+        closing = multiply_add(area, u.closing, closing);
         stored = multiply_add(area, u.stored, stored);
         sum.add(place, area * u.sigma, area * u.tau);
         most = max(most, u.pressure);
     }
     s.friction += share * friction - grown * stored;
+    s.closing += share * closing;
     auto& last = s.finite.further[row];
     last = {o.gap,
             o.widening,

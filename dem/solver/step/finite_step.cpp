@@ -169,18 +169,20 @@ void advance_closing_joint(const StepTables& t, const ContactRun& run, int pair,
     const bool grows = any((step.grown > Real(0.0)) | (step.grown < Real(0.0)));
     const ClosureLaw<Real> law = s.laws.closing[run.law];
     const Real tan_phi = s.laws.dry[run.law].tan_phi;
-    Real friction(0.0), stored(0.0), most(0.0); // [J], [J], [Pa]
+    Real friction(0.0), closing(0.0), stored(0.0), most(0.0); // [J], [J], [J], [Pa]
     for (int k = run.first; k < run.first + run.count; ++k) {
         const Real du_n = step.normal(Real(t.finite.place[k]), take(s.du[2 * k])),
                    du_s = step.tangential(take(s.du[2 * k + 1])), area(t.area[k]);
         const auto u = advance_closing_contact<kClosure, kLoses>(run.law, law, tan_phi, k, du_n,
                                                                  du_s, step.before() * area, s);
         friction = multiply_add(area, u.friction, friction);
+        if constexpr (kLoses) closing = multiply_add(area, u.closing, closing);
         if (grows) stored = multiply_add(area, stored_energy<kClosure>(law, u.state), stored);
         most = max(most, u.pressure);
         step.add(t, k, s);
     }
     s.friction += step.share * friction - step.grown * stored;
+    if constexpr (kLoses) s.closing += step.share * closing;
     step.press(t.finite, pair, s);
     allow_for_run<kClosure>(t, pair, most, s);
 }

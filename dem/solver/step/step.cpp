@@ -90,7 +90,7 @@ template <bool kCrushes, class Real> void advance_dry(const StepTables& t, WallS
 template <Closure kClosure, bool kLoses, class Real>
 void advance_closing_joints(const StepTables& t, WallState<Real>& s)
 {
-    Real friction = s.friction;
+    Real friction = s.friction, closing = s.closing;
     for (std::size_t r = 0; r < t.dry.size(); ++r) {
         const ContactRun& run = t.dry[r];
         const ClosureLaw<Real> law = s.laws.closing[run.law];
@@ -102,11 +102,13 @@ void advance_closing_joints(const StepTables& t, WallState<Real>& s)
             const auto u = advance_closing_contact<kClosure, kLoses>(
                 run.law, law, tan_phi, k, du.normal, du.tangential, area, s);
             friction = multiply_add(area, u.friction, friction);
+            if constexpr (kLoses) closing = multiply_add(area, u.closing, closing);
             most = max(most, u.pressure);
         }
         allow_for_run<kClosure>(t, r, most, s);
     }
     s.friction = friction;
+    s.closing = closing;
 }
 
 template <class Real> void advance_dry_joints(const StepTables& t, WallState<Real>& s)

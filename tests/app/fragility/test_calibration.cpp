@@ -171,7 +171,7 @@ TEST_CASE(
     "[app][calibration]")
 {
     const Calibrating c(kTwoInputs);
-    CHECK_THROWS_WITH(c.run("stress,peak\n0.7,20\n", "study.ini", "out"),
+    CHECK_THROWS_WITH(c.run("stress [MPa],peak [kN]\n0.7,20\n", "study.ini", "out"),
                       Catch::Contains("tests.csv:2: stress: 0.7 MPa is none of the study's"));
     CHECK_FALSE(fs::exists(c.path("out"))); // before any wall is pushed
     REQUIRE(c.run(kPeaks, "study.ini", "out", {"--threads", "1"}) == 0);
@@ -210,7 +210,7 @@ TEST_CASE("calibration: forces at displacements and energies of cycles are read 
           "[app][calibration]")
 {
     const app::Csv csv = app::parse_csv(
-        "t.csv", "stress,force at 2 mm [kN],energy of cycle 2 [kJ],force at 0.5 % [kN]\n"
+        "t.csv", "stress [MPa],force at 2 mm [kN],energy of cycle 2 [kJ],force at 0.5 % [kN]\n"
                  "0.5,7.5,0.02,NA\n0.5,,0.03,8\n");
     const std::vector<app::TestReading> readings = app::test_readings(csv, 1.0);
     REQUIRE(readings.size() == 3);
@@ -252,7 +252,8 @@ TEST_CASE("calibration: columns of the path that cannot be read are refused",
 {
     const auto refused = [](const std::string& head, const std::string& message) {
         CHECK_THROWS_WITH(
-            app::measured_tests(app::parse_csv("t.csv", "stress," + head + "\n0.5,1\n"), 1.0),
+            app::measured_tests(app::parse_csv("t.csv", "stress [MPa]," + head + "\n0.5,1\n"),
+                                1.0),
             Catch::Contains("t.csv:1: ") && Catch::Contains(message));
     };
     refused("force at 5 cans [kN]", "force at 5 cans [kN]: ");
@@ -262,10 +263,12 @@ TEST_CASE("calibration: columns of the path that cannot be read are refused",
     refused("force at 5 mm [N]", "is not in kN");
     CHECK_THROWS_WITH(
         app::measured_tests(
-            app::parse_csv("t.csv", "stress,force at 5 mm,force at 5 mm [kN]\n0.5,1,1\n"), 1.0),
+            app::parse_csv("t.csv", "stress [MPa],force at 5 mm,force at 5 mm [kN]\n0.5,1,1\n"),
+            1.0),
         Catch::Contains("there are two such columns"));
     CHECK_THROWS_WITH(
-        app::measured_tests(app::parse_csv("t.csv", "stress,force at 5 mm\n0.5,\n"), 1.0),
+        app::measured_tests(app::parse_csv("t.csv", "stress [MPa],force at 5 mm [kN]\n0.5,\n"),
+                            1.0),
         Catch::Contains("t.csv:2: ") && Catch::Contains("nothing was measured in this row"));
 }
 
@@ -273,7 +276,7 @@ TEST_CASE("calibration: the verb learns from a force at a displacement",
           "[app][calibration][repeats]") // chains are long; one under sanitizers is enough
 {
     const Calibrating c(kTwoInputs);
-    REQUIRE(c.run("stress,force at 2 mm [kN],force at 90 mm [kN]\n0.5,15,1\n1,22,NA\n",
+    REQUIRE(c.run("stress [MPa],force at 2 mm [kN],force at 90 mm [kN]\n0.5,15,1\n1,22,NA\n",
                   "study.ini", "out", {"--threads", "1"}) == 0);
     CHECK_THAT(c.text("out/further_wall.csv"), Catch::Contains("force at 2 mm [kN],0.5,1,") &&
                                                    !Catch::Contains("force at 90 mm"));
@@ -287,7 +290,7 @@ TEST_CASE("calibration: the verb learns from the energy of a cycle, in J or kJ",
     std::string text = c.text("study.ini");
     text.replace(text.find("max_displacement = 4 mm"), 23, "targets = 1, -1, 2, -2, 0 mm");
     std::ofstream(c.path("study.ini")) << text;
-    const std::string head = "stress,energy of cycle 2 [";
+    const std::string head = "stress [MPa],energy of cycle 2 [";
     REQUIRE(c.run(head + "J]\n0.5,40\n1,50\n", "study.ini", "little", {"--threads", "1"}) == 0);
     // the prior of a further wall is the loop that the walls of the study made
     CHECK_THAT(c.text("little/further_wall.csv"),
@@ -315,7 +318,7 @@ TEST_CASE("calibration: the verb predicts under a further stress, and says what 
     std::string text = c.text("study.ini");
     text.replace(text.find("wall_modulus = 768, 1057 MPa"), 28, "normal_stiffness = 8 GPa/m");
     std::ofstream(c.path("study.ini")) << text;
-    REQUIRE(c.run("stress,peak,drop\n0.5,17,3\n1,29,NA\n", "study.ini", "out",
+    REQUIRE(c.run("stress [MPa],peak [kN],drop [mm]\n0.5,17,3\n1,29,NA\n", "study.ini", "out",
                   {"--predict", "0.75 MPa", "--predict", "0.5 MPa"}) == 0);
     const std::string walls = c.text("out/further_wall.csv");
     CHECK_THAT(walls, Catch::Contains("\npeak force [kN],0.75,0,"));
@@ -335,7 +338,7 @@ TEST_CASE("calibration: the verb predicts under a further stress, and says what 
     CHECK(std::ranges::count(stresses, '\n') == 4);
     CHECK_THROWS_WITH(c.run(kPeaks, "study.ini", "other", {"--predict", "0.75"}),
                       Catch::StartsWith("drystone: --predict: missing unit"));
-    CHECK_THROWS_WITH(c.run("stress,drop\n0.5,3\n", "out/walls.h5", "other"),
+    CHECK_THROWS_WITH(c.run("stress [MPa],drop [mm]\n0.5,3\n", "out/walls.h5", "other"),
                       Catch::Contains("no test is left to learn from. Not used, displacement "
                                       "at the drop under 0.50 MPa: 10 of 10 walls outlast"));
 }

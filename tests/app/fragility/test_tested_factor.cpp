@@ -107,6 +107,14 @@ TEST_CASE("calibration: mistakes of a table are named by file, line and column",
         "stress [MPa]\n1\n",
         "tests.csv:1: peak [kN], stiffness [kN/mm], drop [mm], force at 5 mm [kN], energy of "
         "cycle 1 [J]: there is none of these columns; give at least one of them");
+    refused("stress,peak [kN]\n0.5,40\n",
+            "tests.csv:1: stress: missing unit; write \"stress [MPa]\"");
+    refused("stress [MPa],peak\n0.5,40\n",
+            "tests.csv:1: peak: missing unit; write \"peak [kN]\"");
+    refused("stress [MPa],drop\n0.5,4\n",
+            "tests.csv:1: drop: missing unit; write \"drop [mm]\" or \"drop [%]\"");
+    refused("stress [MPa],force at 5 mm\n0.5,4\n",
+            "tests.csv:1: force at 5 mm: missing unit; write \"force at 5 mm [kN]\"");
     refused("stress [kPa],peak [kN]\n500,40\n", "tests.csv:1: stress [kPa]: is not in MPa; "
                                                 "convert it, and write \"stress [MPa]\"");
     refused("stress [MPa],drop [cm]\n1,2\n", "tests.csv:1: drop [cm]: is not in mm or %; "
@@ -164,14 +172,14 @@ TEST_CASE("calibration: a stress that the study does not have, is refused; walls
         const app::Csv csv = table(text);
         return app::tests_over_walls(csv, app::measured_tests(csv, 1.1), walls, answer);
     };
-    CHECK_THROWS_WITH(over("stress,peak\n0.123,40\n", Answer::force),
+    CHECK_THROWS_WITH(over("stress [MPa],peak [kN]\n0.123,40\n", Answer::force),
                       Catch::StartsWith("tests.csv:2: stress: 0.123 MPa is none of the study"));
     app::StudyWalls stood = walls;
     for (app::StudyLevel& level : stood.levels)
         for (app::StudyWall& w : level.walls)
             w.reading.ultimate = {0.028, fragility::Reading::censored, {}};
-    const app::Csv csv =
-        table("stress,drop\n" + std::to_string(walls.levels[0].stress / 1e6) + ",10\n");
+    const app::Csv csv = table("stress [MPa],drop [mm]\n" +
+                               std::to_string(walls.levels[0].stress / 1e6) + ",10\n");
     const auto c = app::tested_factor(
         app::tests_over_walls(csv, app::measured_tests(csv, 1.1), stood, Answer::drift));
     CHECK_FALSE(c.factor);

@@ -128,6 +128,24 @@ TEST_CASE("chart labels: of any shipped study with eight limit states none cover
     CHECK(numbered > 100); // else nothing was crowded
 }
 
+TEST_CASE("chart labels: a sheet with many limit states gives most of its plot to the force",
+          "[app][chart_labels]")
+{
+    const app::Study study =
+        app::read_study(DRYSTONE_SOURCE_DIR "/configs/wall.ini",
+                        std::vector<std::string>{"fragility.limit_states=paper, ntc, ec8, "
+                                                 "ec8_secondary, collapse"});
+    for (const Shape& shape : {Shape(ductile), Shape(falls_slowly)}) {
+        const app::PushedWall w = wall_of(study, shape, 0.0);
+        const Chart chart = app::sheet_curve(study, w);
+        const ChartFrame f = app::lay_out_chart(chart);
+        REQUIRE(f.legend.back().number >= 8);
+        CHECK(f.y.high < 1.5 * 1e-3 * peak_force(w.reading));
+        CHECK(chart.height <= 400.0); // what the page can give
+        CHECK(covered(chart) == "");
+    }
+}
+
 TEST_CASE("chart labels: few stand at their lines, many are numbers from the left with a key",
           "[app][chart_labels]")
 {

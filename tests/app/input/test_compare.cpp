@@ -111,7 +111,9 @@ TEST_CASE("compare: what cannot be compared is refused with its place", "[app][c
 {
     const scenes::TemporaryFolder folder;
     const auto path = [&](const char* name) { return (folder.path / name).string(); };
-    CHECK(refusal(path("a.txt")).find("cannot be compared") != std::string::npos);
+    CHECK(refusal(path("a.txt")).find("there is no such file or folder") != std::string::npos);
+    CHECK(refusal(file_of(folder.path / "a.txt", "x")).find("cannot be compared") !=
+          std::string::npos);
     CHECK(refusal(file_of(path("b.csv"), "u,f\n1,2\n")) ==
           path("b.csv") + ":1: has no column of the displacement; name it as in "
                           "\"displacement_mm,force_kN\"");
@@ -152,4 +154,26 @@ TEST_CASE("compare: a push and a test in one table, one chart and one page", "[a
     CHECK(page.find("t&lt;1&gt;") != std::string::npos);
     CHECK(page.find("<svg") != std::string::npos);
     CHECK(page.find("nan") == std::string::npos);
+}
+
+TEST_CASE("compare: two folders or files of one name stand with their paths", "[app][compare]")
+{
+    const scenes::TemporaryFolder folder;
+    app::Command command;
+    for (const char* const name : {"a", "b"}) {
+        fs::create_directories(folder.path / name);
+        command.words.push_back(file_of(folder.path / name / "test.csv", kTest));
+    }
+    command.words.push_back(file_of(folder.path / "other.csv", kTest));
+    command.out = (folder.path / "out").string();
+    {
+        const scenes::Terminal terminal;
+        REQUIRE(app::compare_command(command) == 0);
+    }
+    std::ifstream in(folder.path / "out" / "compare.csv");
+    std::ostringstream text;
+    text << in.rdbuf();
+    CHECK(text.str().find("\n" + command.words[0] + ",") != std::string::npos);
+    CHECK(text.str().find("\n" + command.words[1] + ",") != std::string::npos);
+    CHECK(text.str().find("\nother,") != std::string::npos);
 }

@@ -7,6 +7,7 @@ set(TEST_APP_OUTPUT_SOURCES
     app/output/test_film_svg.cpp
     app/output/test_number_text.cpp
     app/output/test_progress.cpp
+    app/output/test_push_line.cpp
     app/output/test_result_folder.cpp
     app/output/test_series_folder.cpp
     app/output/test_svg_elements.cpp

@@ -37,13 +37,21 @@ TEST_CASE("cycles.csv: every column in its unit and place", "[app][cyclic]")
     b.force_at_plus = 3e3;
     b.force_at_minus = -1.5e3;
     std::vector<dem::Energy> ledger(3);
-    ledger[1] = {.friction = 2.0, .fracture = 0.5, .crushing = 0.25, .damping = 0.125};
-    ledger[2] = {.friction = 5.0, .fracture = 1.5, .crushing = 1.25, .damping = 1.125};
+    ledger[1] = {
+        .elastic = 0.5, .friction = 2.0, .fracture = 0.5, .crushing = 0.25, .damping = 0.125};
+    ledger[2] = {.kinetic = 0.25,
+                 .elastic = 1.5,
+                 .friction = 5.0,
+                 .fracture = 1.5,
+                 .crushing = 1.25,
+                 .damping = 1.125,
+                 .lifted = 2.0};
     const std::string table = cycles_csv({a, b}, ledger);
     // Amplitude 3 mm; damping 3 J / (pi (6 kN 4 mm + 3 kN 2 mm)) = 3.18 %; stiffness 9 kN / 6
     // mm, then half of it.
-    CHECK(table.find("\n1,3,9,-8,3,3.18309886,1,-0.5,1.5,1,0.75,0.25,4,-2,1,2,0.5,0.25,0.125\n"
-                     "2,3,9,-8,3,6.36619772,1,-0.5,0.75,0.5,0.75,0.25,4,-2,1,3,1,1,1\n") !=
+    CHECK(table.find(
+              "\n1,3,9,-8,3,3.18309886,1,-0.5,1.5,1,0.75,0.25,4,-2,1,2,0.5,0.25,0.125,0.5\n"
+              "2,3,9,-8,3,6.36619772,1,-0.5,0.75,0.5,0.75,0.25,4,-2,1,3,1,1,1,3.25\n") !=
           std::string::npos);
 }
 
@@ -59,6 +67,20 @@ TEST_CASE("cycles.csv: a value that a cycle does not have is an empty cell", "[a
     CHECK(table.find("\n1,2,1,-1,1.5,") != std::string::npos);
     CHECK(table.find("\n2,4,2,0,5,") != std::string::npos);
     CHECK(table.find(",,,") != std::string::npos);
-    CHECK(table.find(",1,1,0,0,0\n2,") != std::string::npos); // closed; 1 J of friction
-    CHECK(table.ends_with(",0,0.25,0,0,0\n"));                // not closed
+    CHECK(table.find(",1,1,0,0,0,0\n2,") != std::string::npos); // closed; 1 J of friction
+    CHECK(table.ends_with(",0,0.25,0,0,0,0\n"));                // not closed
+}
+
+TEST_CASE("cycles.csv: joints that lose energy as they close have a column of their own",
+          "[app][cyclic]")
+{
+    fragility::Cycle a;
+    a.end = 1;
+    std::vector<dem::Energy> ledger(2);
+    ledger[1].friction = 2.0;
+    CHECK(cycles_csv({a}, ledger).find("closing_J") == std::string::npos);
+    ledger[1].closing = 0.75;
+    const std::string table = cycles_csv({a}, ledger);
+    CHECK(table.find(",solver_J,stored_J,closing_J\n") != std::string::npos);
+    CHECK(table.ends_with(",2,0,0,0,0,0.75\n"));
 }

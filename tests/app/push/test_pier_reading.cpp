@@ -232,3 +232,36 @@ TEST_CASE("pier reading: openings of a drawing are found where its stones leave 
     CHECK(openings[0].height == Approx(0.6).margin(0.005));
     CHECK(app::tells_piers(study));
 }
+
+TEST_CASE(
+    "pier reading: the mode is that where the pier's own shear came down, not that of the end",
+    "[app][pier_reading]")
+{
+    const auto history_of = [](const std::vector<double>& shears, double way) {
+        app::PierHistory history;
+        for (const double shear : shears) {
+            app::PierInstant now;
+            now.piers.push_back({{.shear = way * shear}, 0.0});
+            app::PierMovement m{true, {}};
+            m.mechanism.rotation_share = 1.0 - 0.1 * static_cast<double>(history.size());
+            now.movements.push_back(m);
+            history.push_back(now);
+        }
+        return history;
+    };
+    const std::vector<double> shears = {1.0, 8.0, 10.0, 8.5, 7.9, 3.0, 9.0, 1.0};
+    for (const double way : {1.0, -1.0}) {
+        app::PierHistory history = history_of(shears, way);
+        const auto own = app::movement_at_drop(history, 0, way, 0.8);
+        REQUIRE(own);
+        CHECK(own->mechanism.rotation_share == Approx(0.6)); // at 7.9
+        history[4].movements.clear(); // between two looks the next one tells
+        CHECK(app::movement_at_drop(history, 0, way, 0.8)->mechanism.rotation_share ==
+              Approx(0.5));
+        history[5].movements[0].moved = false;
+        CHECK_FALSE(app::movement_at_drop(history, 0, way, 0.8));
+        CHECK_FALSE(app::movement_at_drop(history, 0, way, 0.0)); // nobody asks for a drop
+        CHECK_FALSE(app::movement_at_drop(history_of({1.0, 5.0, 4.5}, way), 0, way, 0.8));
+        CHECK_FALSE(app::movement_at_drop(history_of({-1.0, -5.0}, way), 0, way, 0.8));
+    }
+}

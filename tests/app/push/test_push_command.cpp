@@ -1,4 +1,5 @@
 #include "app/commands.hpp"
+#include "app/text/csv.hpp"
 
 #include "scenes/temporary_folder.hpp"
 #include "scenes/terminal.hpp"
@@ -347,6 +348,17 @@ TEST_CASE("push command: a push that turns back has cycles, and limit states by 
     CHECK(std::ranges::count(cycles, '\n') == 3);
     CHECK(cycles.find("\n2,2,") != std::string::npos); // its amplitude is that of the protocol
     CHECK(backbones.find("\nleft,2,") != std::string::npos);
+    const app::Csv rows = app::parse_csv("cycles.csv", cycles);
+    const auto cell = [&](const app::CsvRow& row, const char* head) {
+        return std::stod(row.cells.at(app::find_column(rows, head)));
+    };
+    for (const app::CsvRow& row : rows.rows) {
+        double sum = 0.0;
+        for (const char* const part :
+             {"friction_J", "fracture_J", "crushing_J", "solver_J", "stored_J"})
+            sum += cell(row, part);
+        CHECK(sum == Approx(cell(row, "energy_J")).epsilon(0.01)); // a sum over curve points
+    }
     // The series for ParaView goes through the cycles: a way of 12 mm.
     const std::string series = read_text(folder.path / "out" / "series" / "wall.pvd");
     std::size_t files = 0;

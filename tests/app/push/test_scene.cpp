@@ -270,3 +270,22 @@ TEST_CASE(
                       Catch::Contains("beam.height: the beam would take about"));
     CHECK(app::cost_note(app::prepare(study_of(kWall)), app::Purpose::push).empty());
 }
+
+TEST_CASE("push: what takes long is told before it is paid for", "[app][scene]")
+{
+    CHECK(app::push_note(app::prepare(study_of(kWall))).empty());
+    const std::string note = app::push_note(app::prepare(
+        study_of(kWall, {"solver.contact_points=20", "solver.steps_per_mm=20000"})));
+    CHECK_THAT(note, Catch::StartsWith("note: a push to its end takes about ") &&
+                         Catch::Contains(" min of a core") &&
+                         Catch::Contains("fewer solver.contact_points"));
+    // a picture has no units to be made longer
+    const app::PreparedStudy rubble = app::prepare(study_of(
+        std::string(DRYSTONE_SOURCE_DIR) + "/configs/picture.ini", {"wall.simplify=2 mm"}));
+    CHECK_THAT(app::push_note(rubble), Catch::Contains("a larger wall.simplify"));
+    CHECK_THAT(app::cost_note(rubble, app::Purpose::push),
+               Catch::Contains("a larger wall.simplify"));
+    const app::Verb push{.name = "push"}, study{.name = "study"};
+    CHECK_THAT(app::study_notes(rubble, &push), Catch::Contains("a push to its end takes"));
+    CHECK_THAT(app::study_notes(rubble, &study), !Catch::Contains("a push to its end takes"));
+}

@@ -169,6 +169,17 @@ TEST_CASE("shake command: bad input is refused with its place and a remedy", "[a
     CHECK_FALSE(fs::exists(folder.path / "out"));
 }
 
+TEST_CASE("shake command: a toe that is held sideways is refused by its key", "[app][shake]")
+{
+    app::Study study = app::read_study(app::parse_study_text(
+        "study.ini", kWall + "[load]\nvertical_stress = 0 MPa\n[shaking]\nrecords = "
+                             "half_sine(peak 0.5 g, duration 0.3 s)\n"));
+    CHECK_NOTHROW(app::check_shaken_study(study));
+    study.wall.toe = dem::Toe::held;
+    study.wall.base = dem::Base::joint;
+    CHECK_THROWS_WITH(app::check_shaken_study(study), Contains("wall.toe: is held sideways"));
+}
+
 TEST_CASE("shake command: a series for ParaView is written where the study asks for it",
           "[app][shake]")
 {

@@ -31,6 +31,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
 
 constexpr const char* kShaking = R"([load]
 vertical_stress = 0.05 MPa
@@ -379,4 +380,42 @@ TEST_CASE("shake study: fragility on the intensity, with rates and files for oth
     c.intensity.clear();
     CHECK_THROWS_WITH(app::fragility_command(c),
                       Contains("must be below that of the row before"));
+}
+
+TEST_CASE("shake study: tables write each intensity as the measure, with its unit",
+          "[app][shake][fragility]")
+{
+    const ShakenStudy study;
+    const auto lines_of = [&](const char* name) {
+        std::ifstream in(study.path / name);
+        std::vector<std::string> lines;
+        for (std::string line; std::getline(in, line);) lines.push_back(line);
+        return lines;
+    };
+    REQUIRE(study.run("s.h5", 2,
+                      {"shaking.measure=sa(0.3 s)", "shaking.intensities=0.2, 0.4 g",
+                       "shaking.scale=1.5", "uq.samples=1"}) == 0);
+    const std::vector<std::string> summary = lines_of("s_summary.csv");
+    CHECK_THAT(summary.at(0), StartsWith("stress [MPa],sa(0.3 s) [g],histories,"));
+    CHECK_THAT(summary.at(1), StartsWith("0.05,0.3,3,"));
+    CHECK_THAT(summary.at(2), StartsWith("0.05,0.6,3,"));
+    app::Command c;
+    c.study = (study.path / "s.h5").string();
+    c.words = {c.study};
+    c.out = (study.path / "s").string();
+    c.quiet = true;
+    {
+        const scenes::Terminal terminal;
+        REQUIRE(app::fragility_command(c) == 0);
+    }
+    CHECK_THAT(lines_of("s/tables/histories.csv").at(0),
+               StartsWith("stress [MPa],wall,record,sa(0.3 s) [g],outcome,") &&
+                   Contains(",pga [m/s2],"));
+    CHECK_THAT(lines_of("s/tables/histories.csv").at(1), Contains(",0.3,stood,"));
+    CHECK_THAT(lines_of("s/intensity_stripes.csv").at(0),
+               StartsWith("stress [MPa],sa(0.3 s) [g],median sa(0.3 s) [g],"));
+
+    REQUIRE(study.run("as_they_are.h5", 2, {"shaking.intensities=", "uq.samples=1"}) == 0);
+    CHECK_THAT(lines_of("as_they_are_summary.csv").at(0),
+               StartsWith("stress [MPa],factor [-],"));
 }

@@ -160,7 +160,7 @@ TEST_CASE("merge: records may stand in another folder on each machine", "[app][m
 {
     const scenes::MemoryFolder folder, other;
     app::StoreHead head = store_head(kSamples);
-    const std::string before = head.configuration;
+    const std::string before = head.configuration + "[shaking]\n";
     head.configuration = before + "records                 = /one/a.txt\n";
     const fs::path first = shard(folder.path, 0, 2, head);
     head.configuration = before + "records                 = /two/a.txt\n";
@@ -169,6 +169,11 @@ TEST_CASE("merge: records may stand in another folder on each machine", "[app][m
     head.configuration = before + "scale                   = 2\n";
     CHECK_THAT(refusal(folder.path / "no.h5", {first, shard(other.path, 1, 2, head)}),
                Contains("+ scale                   = 2"));
+    // the key of this section alone
+    const scenes::MemoryFolder third;
+    head.configuration = before + "[output]\nrecords = 2\n";
+    CHECK_THAT(refusal(folder.path / "no.h5", {first, shard(third.path, 1, 2, head)}),
+               Contains("+ records = 2"));
 }
 
 TEST_CASE("merge: a wall in two shards is refused", "[app][merge]")

@@ -417,3 +417,34 @@ TEST_CASE("reliability: numbers of walls are written in the units of their keys"
     CHECK(content(out / "reliability.json").find("\"joint.friction_angle [deg]\"") !=
           std::string::npos);
 }
+
+TEST_CASE(
+    "reliability: where every evaluation fails the run ends after twenty, with the reason",
+    "[app][reliability]")
+{
+    const scenes::TemporaryFolder folder;
+    const std::string model = "[model]\ncommand = sh -c 'echo the mesh is broken >&2; exit 3' "
+                              "{input}\nresponses = g\n[variables]\n"
+                              "r = normal(mean 4, sd 1)\ns = normal(mean 2, sd 1)\n";
+    const auto lines = [&] {
+        const std::string text = content(folder.path / "out" / "evaluations.csv");
+        return std::ranges::count(text, '\n');
+    };
+    for (const char* const method : {"monte_carlo", "subset", "sobol"}) {
+        INFO(method);
+        const app::Command c =
+            command_of(folder.path, model + "[reliability]\nmethod = " + method +
+                                        "\ndemand = 0\nbudget = 500\n");
+        for (int run = 0; run < 2; ++run) // the second asks again
+            CHECK_THROWS_WITH(told(c), Catch::Contains("of 500 evaluations all failed") &&
+                                           Catch::Contains("the mesh is broken") &&
+                                           Catch::Contains("evaluations.csv"));
+        CHECK(lines() == 21);
+        CHECK_FALSE(std::filesystem::exists(folder.path / "out" / "unfinished.jsonl"));
+    }
+    // a budget of as many is spent and answered
+    const Told t = told(command_of(
+        folder.path, model + "[reliability]\nmethod = monte_carlo\ndemand = 0\nbudget = 20\n"));
+    CHECK(t.code == 1);
+    CHECK(t.out.find("20 evaluations, 20 failed") != std::string::npos);
+}

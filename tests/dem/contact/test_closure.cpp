@@ -516,3 +516,30 @@ TEST_CASE("closure: numbers out of range are refused, and mortar is", "[dem][clo
     m.layout.mortar = true;
     CHECK_THROWS_AS(dem::check(m, w), std::invalid_argument);
 }
+
+TEST_CASE("closure: where nothing slips or opens, all that joints lose is lost as they close",
+          "[dem][closure]")
+{
+    const Closure closure = GENERATE(Closure::hyperbolic, Closure::exponential);
+    const bool finite = GENERATE(false, true);
+    const double loss = GENERATE(0.0, 0.3);
+    scenes::Scene s = closing_wall(closure, loss);
+    s.joint.tan_phi = 1e3;
+    s.wall.cracks.pattern = {dem::CrackPattern::Kind::none};
+    const dem::Model m = small_wall::model(s);
+    dem::SolverOptions o;
+    if (finite) o.kinematics = dem::Kinematics::finite;
+    dem::PushPlan plan = small_wall::to(2e-5);
+    plan.targets = {2e-5, 0.0};
+    plan.record_every = 2e-6;
+    const dem::Energy e = dem::push(m, scenes::uniform(s, m), plan, o).energy;
+    INFO("friction " << e.friction << " closing " << e.closing);
+    if (loss == 0.0) {
+        CHECK(e.closing == 0.0);
+        return;
+    }
+    // where a contact is pressed less, its shear gives a little to friction
+    CHECK(e.closing <= (1.0 + 1e-9) * e.friction);
+    CHECK(e.closing > 0.99 * e.friction);
+    CHECK(e.friction > 1e-3 * e.elastic);
+}

@@ -176,8 +176,14 @@ TEST_CASE("wall run: a wall that misses the accuracy is pushed again more slowly
     bool again = false, at_once = false;
     for (int sample = 0; sample < 4; ++sample) {
         const dem::WallMaterials w = scenes::table5_sample(s, m, sample);
-        const dem::PushResult r = dem::push(m, w, small_wall::to(2e-3), o);
+        dem::PushPlan plan = small_wall::to(2e-3);
+        dem::PushProgress told;
+        plan.progress = [&](const dem::PushProgress& p) { told = p; };
+        const dem::PushResult r = dem::push(m, w, plan, o);
         CHECK(r.outcome == dem::Outcome::reached_target);
+        CHECK(told.slowdowns == r.slowdowns);
+        CHECK(told.done == 1.0);
+        CHECK((told.error_before > o.accuracy) == (r.slowdowns > 0));
         CHECK(r.slowdowns >= 0);
         CHECK(r.slowdowns <= 3);
         CHECK((r.slowdowns == 3 || r.solver_error <= o.accuracy));

@@ -1,0 +1,72 @@
+#include "app/study/stored/shaken_intensities.hpp"
+
+#include "app/input/study/study.hpp"
+#include "app/input/study/units.hpp"
+#include "app/output/table/cells.hpp"
+#include "app/text/number_text.hpp"
+#include "app/text/words.hpp"
+
+#include <string_view>
+
+namespace app {
+namespace {
+
+ground::Measure measure_of(const Study& study)
+{
+    using Kind = ground::MeasureKind;
+    const ground::Measure measure = read_at(study.source, "shaking.measure", [&] {
+        return ground::parse_measure(study.shaking.measure);
+    });
+    if (measure.kind != Kind::pga && measure.kind != Kind::pgv && measure.kind != Kind::sa)
+        throw error_at(study.source, "shaking.measure", "use pga, pgv or sa(0.3 s)");
+    return measure;
+}
+
+std::vector<double> values_of(const Study& study, const ground::Measure& measure)
+{
+    constexpr const char* kKey = "shaking.intensities";
+    std::vector<double> all;
+    if (study.shaking.intensities.empty()) return all;
+    const std::string unit(measure_unit(measure));
+    for (std::string part : split_outside_brackets(study.shaking.intensities)) {
+        if (part.ends_with(unit))
+            part = std::string(
+                trimmed(std::string_view(part).substr(0, part.size() - unit.size())));
+        const double x = read_at(study.source, kKey, [&] { return parse_quantity(part, ""); });
+        if (x <= 0.0)
+            throw error_at(study.source, kKey, "must be above 0; write e.g. 0.1, 0.2 " + unit);
+        all.push_back(x * measure_unit_value(measure));
+    }
+    return all;
+}
+
+} // namespace
+
+ShakenIntensities shaken_intensities(const Study& study)
+{
+    const ground::Measure measure = measure_of(study);
+    return {measure, values_of(study, measure), study.shaking.scale};
+}
+
+std::string intensity_head(const ShakenIntensities& all)
+{
+    if (all.values.empty()) return "factor [-]";
+    return measure_text(all.measure) + " [" + std::string(measure_unit(all.measure)) + "]";
+}
+
+std::string intensity_text(const ShakenIntensities& all, std::size_t intensity)
+{
+    if (all.values.empty()) return {};
+    const double level = all.scale * all.values.at(intensity);
+    return " at " + measure_text(all.measure) + " " +
+           number(level / measure_unit_value(all.measure), 6) + " " +
+           std::string(measure_unit(all.measure));
+}
+
+Number intensity_cell(const ShakenIntensities& all, std::size_t intensity)
+{
+    if (all.values.empty()) return given(all.scale);
+    return given(all.scale * all.values.at(intensity) / measure_unit_value(all.measure));
+}
+
+} // namespace app
