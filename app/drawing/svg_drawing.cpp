@@ -121,13 +121,21 @@ void refuse_shape(const SvgContent& content, const SvgElement& element, const Sv
     }
 }
 
+/// Frames without fill and stroke, which drawing programs lay around shapes and pages. A line
+/// has no fill; the file of a line without a stroke was written by hand.
+bool is_unpainted(const SvgElement& element, const SvgGroup& group)
+{
+    return !group.filled && !group.stroked && element.name != "line" && element.name != "use";
+}
+
 /// True for a shape that is not shown, or whose group is not.
 bool count_hidden(SvgContent& content, const SvgElement& element, const SvgGroup& group)
 {
     constexpr std::array<std::string_view, 8> kShapes = {"path", "polygon", "polyline", "rect",
                                                          "line", "circle",  "ellipse",  "use"};
-    if (group.shown()) return false;
-    if (std::ranges::find(kShapes, element.name) == kShapes.end()) return true;
+    const bool is_shape = std::ranges::find(kShapes, element.name) != kShapes.end();
+    if (group.shown() && !(is_shape && is_unpainted(element, group))) return false;
+    if (!is_shape) return true;
     const SvgGroup& around = content.groups.back();
     if (around.shown())
         ++content.hidden.alone;

@@ -14,7 +14,7 @@ SvgStyle style_of(const SvgStyleSheet& sheet, const SvgElement& element)
         const char* value = element.find(name);
         return value ? value : "";
     };
-    for (const char* name : {"display", "visibility", "opacity", "transform",
+    for (const char* name : {"display", "visibility", "opacity", "fill", "stroke", "transform",
                              "transform-origin", "clip-path", "mask"})
         if (const char* value = element.find(name)) style[name] = value;
     sheet.apply(style, element.name, text_of("id"), text_of("class"));
@@ -52,6 +52,13 @@ SvgTransform transform_of(const SvgElement& element, const SvgStyle& style)
     return svg_transform(element.place, plain);
 }
 
+/// Whether a paint is seen, of a property "fill" or "stroke" that may be inherited.
+bool is_painted(std::string_view paint, bool around)
+{
+    if (paint.empty() || paint == "inherit") return around;
+    return paint != "none" && paint != "transparent";
+}
+
 } // namespace
 
 SvgGroup group_within(SvgGroup group, const SvgStyleSheet& sheet, const SvgElement& element)
@@ -66,6 +73,8 @@ SvgGroup group_within(SvgGroup group, const SvgStyleSheet& sheet, const SvgEleme
         group.displayed = false;
     for (const char* name : {"clip-path", "mask"})
         if (!value(name).empty() && value(name) != "none") group.clipped = true;
+    group.filled = is_painted(value("fill"), group.filled);
+    group.stroked = is_painted(value("stroke"), group.stroked);
     const std::string_view visibility = value("visibility");
     if (visibility == "hidden" || visibility == "collapse") group.visible = false;
     if (visibility == "visible") group.visible = true;

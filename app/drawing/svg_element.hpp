@@ -12,10 +12,11 @@ namespace app {
 /// Properties that an element hands down to those within it.
 struct SvgGroup {
     SvgTransform transform;
-    std::string label, id; ///< of the innermost group that has one
-    bool displayed = true; ///< display, which hides all that lies within
-    bool visible = true;   ///< visibility, which what lies within may set anew
-    bool clipped = false;  ///< by a clip path or a mask
+    std::string label, id;               ///< of the innermost group that has one
+    bool displayed = true;               ///< display, which hides all that lies within
+    bool visible = true;                 ///< visibility, which what lies within may set anew
+    bool clipped = false;                ///< by a clip path or a mask
+    bool filled = true, stroked = false; ///< paint, which what lies within may set anew
 
     [[nodiscard]] bool shown() const { return displayed && visible; }
     [[nodiscard]] const std::string& layer() const { return label.empty() ? id : label; }

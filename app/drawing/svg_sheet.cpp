@@ -46,7 +46,7 @@ std::optional<SvgSelector> selector_of(std::string_view text)
     return selector;
 }
 
-/// What the pointer does to a drawing on a screen.
+/// True for states that only a pointer on a screen makes.
 bool is_of_pointer(std::string_view selector)
 {
     constexpr std::array<std::string_view, 3> kStates = {":hover", ":active", ":focus"};

@@ -89,6 +89,33 @@ TEST_CASE("svg page: a rule that may hide or move shapes and is not read is refu
     }
 }
 
+TEST_CASE("svg page: shapes without fill and stroke are not seen, and are no stones",
+          "[app][svg_page]")
+{
+    // as drawing programs lay a frame around each shape and around the page
+    for (const char* paint :
+         {"fill='none'", "class='f'", "style='fill:none;stroke:none'", "fill='transparent'"}) {
+        INFO(paint);
+        const std::string frame = "<rect width='2' height='1' " + std::string(paint) + "/>";
+        const app::Drawing read =
+            wall("<style>.f{fill:none}</style>" + frame + kStone + kOther + "/>");
+        CHECK(read.blocks.size() == 2);
+        CHECK(scenes::notes(read, "1 hidden shape was ignored"));
+        CHECK(wall("<g fill='none' stroke='none'>" + frame +
+                   "<path fill='#aaa' d='M0 0h2v1h-2z'/></g>")
+                  .blocks.size() == 1);
+    }
+    for (const char* seen : {"fill='none' stroke='#000'", "stroke='none'",
+                             "style='fill:none' class='s'", "fill='inherit'"})
+        CHECK(wall("<style>.s{stroke:red}</style>" + kStone + kOther + " " + seen + "/>")
+                  .blocks.size() == 2);
+    CHECK(wall("<g fill='none' stroke='#000'>" + kStone + kOther + "/></g>").blocks.size() ==
+          2);
+    CHECK(wall("<g fill='none'><line x2='2'/><line x1='2' x2='2' y2='1'/>"
+               "<line x1='2' y1='1' y2='1'/><line y1='1'/></g>")
+              .blocks.size() == 1);
+}
+
 TEST_CASE("svg page: what is clipped or masked is told", "[app][svg_page]")
 {
     for (const char* clip :
