@@ -357,7 +357,10 @@ TEST_CASE("push command: a push that turns back has cycles, and limit states by 
         for (const char* const part :
              {"friction_J", "fracture_J", "crushing_J", "solver_J", "stored_J"})
             sum += cell(row, part);
-        CHECK(sum == Approx(cell(row, "energy_J")).epsilon(0.01)); // a sum over curve points
+        // the energy is read off the points of the curve: a difference of what goes in and out
+        const double through = cell(row, "amplitude_mm") *
+                               (cell(row, "force_plus_kN") - cell(row, "force_minus_kN"));
+        CHECK(sum == Approx(cell(row, "energy_J")).margin(2e-3 * through));
     }
     // The series for ParaView goes through the cycles: a way of 12 mm.
     const std::string series = read_text(folder.path / "out" / "series" / "wall.pvd");

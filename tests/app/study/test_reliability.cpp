@@ -5,6 +5,7 @@
 #include "app/study_scenes.hpp"
 #include "app/text/config_error.hpp"
 #include "tests/scenes/temporary_folder.hpp"
+#include "tests/scenes/terminal.hpp"
 #include "uq/reliability/reliability.hpp"
 
 #include <catch2/catch.hpp>
@@ -333,11 +334,9 @@ struct Told {
 /// The verb, with what it prints.
 Told told(const app::Command& command)
 {
-    std::ostringstream out;
-    std::streambuf* const terminal = std::cout.rdbuf(out.rdbuf());
+    const scenes::Terminal terminal;
     const int code = app::reliability_command(command);
-    std::cout.rdbuf(terminal);
-    return {code, out.str()};
+    return {code, terminal.text()};
 }
 
 app::Command command_of(const std::filesystem::path& folder, const std::string& text)
