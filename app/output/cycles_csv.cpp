@@ -23,6 +23,14 @@ std::optional<double> combined(const fragility::Cycle& c, double minus_share)
     return 0.5 * (*c.residual_plus + minus_share * *c.residual_minus);
 }
 
+/// A number of the ledger where the path passes zero displacement behind a point.
+template <class Read>
+double at_zero(std::span<const dem::Energy> ledger, std::size_t point, double share, Read read)
+{
+    const double x = read(ledger[point]);
+    return share == 0.0 ? x : x + share * (read(ledger[point + 1]) - x);
+}
+
 } // namespace
 
 std::string cycles_csv(const std::vector<fragility::Cycle>& cycles,
@@ -50,12 +58,18 @@ std::string cycles_csv(const std::vector<fragility::Cycle>& cycles,
                  cell(combined(c, -1.0), kMm) + cell(combined(c, 1.0), kMm) +
                  cell(c.displacement_plus, kMm) + cell(c.displacement_minus, kMm) +
                  (c.closed ? ",1" : ",0");
-        const dem::Energy &from = ledger[c.begin], &to = ledger[c.end];
-        for (const double part : {to.friction - from.friction, to.fracture - from.fracture,
-                                  to.crushing - from.crushing, to.damping - from.damping,
-                                  to.stored() - from.stored()})
-            table += cell(part, 1.0);
-        table += loses ? cell(to.closing - from.closing, 1.0) + '\n' : "\n";
+        const auto part = [&](const auto& read) {
+            return cell(at_zero(ledger, c.end, c.end_share, read) -
+                            at_zero(ledger, c.begin, c.begin_share, read),
+                        1.0);
+        };
+        table += part([](const dem::Energy& e) { return e.friction; }) +
+                 part([](const dem::Energy& e) { return e.fracture; }) +
+                 part([](const dem::Energy& e) { return e.crushing; }) +
+                 part([](const dem::Energy& e) { return e.damping; }) +
+                 part([](const dem::Energy& e) { return e.stored(); });
+        if (loses) table += part([](const dem::Energy& e) { return e.closing; });
+        table += '\n';
     }
     return table;
 }

@@ -46,12 +46,31 @@ std::optional<double> zero_force(const Path& p, std::size_t from, std::size_t la
     return none ? std::optional(p.displacement[i - 1]) : std::nullopt;
 }
 
+/// Share of the way from a point to the next one at which the path passes zero displacement.
+double share_to_zero(const Path& p, std::size_t from)
+{
+    if (from + 1 >= p.displacement.size()) return 0.0;
+    const double a = p.displacement[from], b = p.displacement[from + 1];
+    return a * b < 0.0 ? a / (a - b) : 0.0;
+}
+
+/// Work from a point to where the path passes zero displacement on its way to the next one.
+double work_to_zero(const Path& p, std::size_t from, double share)
+{
+    if (share == 0.0) return 0.0;
+    const double at_zero = p.force[from] + share * (p.force[from + 1] - p.force[from]);
+    return -0.5 * (p.force[from] + at_zero) * p.displacement[from];
+}
+
 Cycle cycle_between(const Path& p, std::size_t begin, std::size_t end, bool closed)
 {
     Cycle c;
     c.begin = begin;
     c.end = end;
     c.closed = closed;
+    c.begin_share = share_to_zero(p, begin);
+    c.end_share = share_to_zero(p, end);
+    c.energy = work_to_zero(p, end, c.end_share) - work_to_zero(p, begin, c.begin_share);
     // the first point may lie on the side that the path comes from: it is no extreme
     std::size_t plus = begin > 0 ? begin + 1 : 0, minus = plus;
     for (std::size_t i = begin; i <= end; ++i) {

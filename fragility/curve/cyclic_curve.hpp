@@ -25,12 +25,17 @@ struct Path {
 /// comes back to zero to begin the next one, or where the path ends.
 struct Cycle {
     std::size_t begin = 0, end = 0; ///< first and last point of the path
+    /// Share of the way from `begin`, and from `end`, to the next point at which the path
+    /// passes zero displacement [-]; 0: it is there, or does not pass.
+    double begin_share = 0.0, end_share = 0.0;
     bool closed = false; ///< the path came back to zero displacement, to 0.5 % of its width
     double displacement_plus = 0.0,
            displacement_minus = 0.0;            ///< extremes, >= 0 and <= 0 [length]
     double force_plus = 0.0, force_minus = 0.0; ///< largest and smallest force, >= 0 and <= 0
     double force_at_plus = 0.0, force_at_minus = 0.0; ///< at the extremes of displacement
-    double energy = 0.0; ///< work done in the cycle: the area of its loop [force x length]
+    /// Work done in the cycle, from zero displacement to zero: the area of its loop [force x
+    /// length].
+    double energy = 0.0;
     /// Where the force comes back to zero after the extreme, if need be on the way into the
     /// next cycle; nothing where the path does not unload.
     std::optional<double> residual_plus, residual_minus;

@@ -67,6 +67,39 @@ TEST_CASE("cyclic curve: the loop of a sliding joint has its exact energy and da
     CHECK(c[1].closed);
 }
 
+TEST_CASE("cyclic curve: a cycle ends at zero displacement, whether or not a point lies there",
+          "[fragility][cyclic]")
+{
+    const double k = 8.0, s = 2.0;
+    const OwnedPath p = sliding(k, s, {0.6, -0.6, 1.0, -1.0, 1.5, -1.5, 1.5, -1.5, 0.0});
+    OwnedPath sparse{{0.0}, {0.0}}, whole = sparse;
+    for (std::size_t i = 1; i < p.force.size(); ++i) {
+        const double x = p.displacement[i], f = p.force[i];
+        if (x == 0.0 && i + 1 < p.force.size()) continue;
+        const double before = sparse.displacement.back();
+        if (before * x < 0.0) { // a point at zero
+            whole.displacement.push_back(0.0);
+            whole.force.push_back(f - (f - sparse.force.back()) * x / (x - before));
+        }
+        for (OwnedPath* const path : {&sparse, &whole}) {
+            path->displacement.push_back(x);
+            path->force.push_back(f);
+        }
+    }
+    REQUIRE(sparse.force.size() < whole.force.size());
+    const auto with = cycles(whole), without = cycles(sparse);
+    REQUIRE(with.size() == 4);
+    REQUIRE(without.size() == 4);
+    for (std::size_t i = 0; i < with.size(); ++i) {
+        CHECK(without[i].energy == near(with[i].energy));
+        CHECK(equivalent_damping(without[i]).value() ==
+              near(equivalent_damping(with[i]).value()));
+    }
+    // the second: out from zero, where friction holds with s, and back the same way
+    CHECK(without[1].energy == near(4.0 * s * (1.0 - s / k)));
+    CHECK(without[1].end_share == Approx(0.25));
+}
+
 TEST_CASE("cyclic curve: what goes back the way it came has no energy and no residual",
           "[fragility][cyclic]")
 {
