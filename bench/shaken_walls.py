@@ -100,11 +100,11 @@ def main():
     failed = sum(int(r["failed"]) for r in stripes)
     limits = rows(work / "pga" / "intensity_limits.csv")[0]
     peaks = [float(r["median pga [g]"]) for r in stripes]
-    asked = int(limits["walls"]) * int(limits["records"]) * len({(r["stress [MPa]"], r["intensity"]) for r in stripes})
+    asked = int(limits["walls"]) * int(limits["records"]) * len({(r["stress [MPa]"], r["pga [g]"]) for r in stripes})
     part = "" if count == asked else f" of {asked}"
     text = (
         f"{count}{part} histories ({failed} failed): {limits['walls']} walls under each stress x {limits['records']} motions x "
-        f"{len({r['intensity'] for r in stripes})} intensities. **In-plane shaking of dry-joint walls is verified against closed forms and not "
+        f"{len({r['pga [g]'] for r in stripes})} intensities. **In-plane shaking of dry-joint walls is verified against closed forms and not "
         "validated: no open test of such a wall is known.** The first table has the median intensity at which each state is reached, with 95 % intervals clustered by record and by wall if there are several ([?]: wider than 1 to 100). \\*: beyond the "
         f"intensities of the study, {min(peaks):g} to {max(peaks):g} g; the value is extrapolated by the law, or along a line from zero.\n\n"
         f"{fragility_table(work)}\n\n"
