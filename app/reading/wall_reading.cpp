@@ -240,7 +240,7 @@ WallReading read(const fragility::Curve& curve, const dem::Mechanism& mechanism,
     else
         w = read_curve({capacity_curve(curve, rules)}, curve.came_down, mechanism, rules);
     w.mode = dem::failure_mode(mechanism, w.dropped, rules.mode);
-    w.mode_so_far = !w.dropped && rules.mode.modes == dem::ModeRule::mechanism;
+    w.mode_so_far = !w.dropped && dem::standing_is_undecided(rules.mode);
     w.slid = slid_whole(mechanism, w.dropped, rules.mode);
     return w;
 }

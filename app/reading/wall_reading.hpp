@@ -77,7 +77,7 @@ struct WallReading {
     double begin_with = 0.0;
     dem::FailureMode mode = dem::FailureMode::rocking;
     /// The wall still stood when its push ended: `mode` is that of its mechanism so far, and
-    /// may change. (ModeRule::mechanism alone: as the paper has it, a wall that stands rocks.)
+    /// may change (dem::standing_is_undecided).
     bool mode_so_far = false;
     bool dropped = false; ///< the force fell to the ultimate share of the peak
     bool slid =

@@ -2,6 +2,7 @@
 
 #include "app/fragility/fragility_curves.hpp"
 #include "app/study/answers/fragility_text.hpp"
+#include "app/study/answers/mode_rule.hpp"
 #include "app/study/answers/mode_share.hpp"
 #include "app/text/json_text.hpp"
 #include "app/text/number_text.hpp"
@@ -168,11 +169,9 @@ Json fragility_json(const DriftData& data)
 
 Json modes_json(const StudyWalls& study)
 {
-    const bool may_change = study.study.fragility.mode.modes == dem::ModeRule::mechanism;
-    Json modes = {
-        {"levels", Json::array()},
-        {"note", ""},
-        {"either_way", may_change ? "walls that failed or still stood" : "walls that failed"}};
+    Json modes = {{"levels", Json::array()},
+                  {"note", ""},
+                  {"either_way", undecided_text(study.study.fragility)}};
     std::vector<ModeCount> counts;
     for (std::size_t level = 0; level < study.levels.size(); ++level) {
         const ModeCount c = mode_count(study, level);

@@ -46,8 +46,8 @@ namespace {
 /// A feature of a record that no scaling changes.
 struct Feature {
     const char* head;
-    const char* measure;
-    const char* over; ///< empty: the measure alone
+    std::string_view measure;
+    std::string_view over; ///< empty: the measure alone
 };
 constexpr Feature kFeatures[] = {{"sufficiency, D5-95: p", "d5_95", ""},
                                  {"sufficiency, PGV/PGA: p", "pgv", "pga"}};
@@ -85,7 +85,7 @@ std::vector<double> values_of(const Feature& feature, const Cloud& cloud,
         return static_cast<std::size_t>(std::ranges::find(measures, name) - measures.begin());
     };
     const std::size_t at = place(feature.measure);
-    const bool ratio = *feature.over != 0;
+    const bool ratio = !feature.over.empty();
     const std::size_t over = ratio ? place(feature.over) : 0;
     if (std::max(at, over) >= measures.size()) return {};
     std::vector<double> x;

@@ -45,11 +45,6 @@ class Pictures {
 
 } // namespace
 
-bool is_video_name(std::string_view name)
-{
-    return name.ends_with(".gif") || name.ends_with(".webm");
-}
-
 std::string_view video_mark(const fs::path& file)
 {
     return file.extension() == ".gif" ? "GIF89a" : "webm";

@@ -8,9 +8,6 @@
 
 namespace app {
 
-/// Whether the name ends as a film that can be made: .gif or .webm.
-[[nodiscard]] bool is_video_name(std::string_view name);
-
 /// Stands at the beginning of every film of this kind.
 [[nodiscard]] std::string_view video_mark(const std::filesystem::path& file);
 

@@ -36,11 +36,15 @@ std::string backbone_text(const Study& study)
            kReadOn.at(static_cast<int>(study.fragility.backbone)) + ".";
 }
 
+std::string undecided_text(const FragilityInput& f)
+{
+    return dem::standing_is_undecided(f.mode) ? "walls that failed or still stood"
+                                              : "walls that failed";
+}
+
 std::string whatever_mode_text(const FragilityInput& f)
 {
-    return f.mode.modes == dem::ModeRule::mechanism
-               ? "whatever mode the walls that failed or still stood would have had in the end"
-               : "whatever mode the walls that failed would have had";
+    return "whatever mode the " + undecided_text(f) + " would have had in the end";
 }
 
 std::string mode_rule_text(const FragilityInput& f)

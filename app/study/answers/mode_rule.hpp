@@ -14,8 +14,11 @@ namespace app {
 /// directions."; empty of a push that goes one way.
 [[nodiscard]] std::string backbone_text(const Study& study);
 
+/// Walls whose mode is not decided: "walls that failed or still stood".
+[[nodiscard]] std::string undecided_text(const FragilityInput& f);
+
 /// Condition under which the interval of a share of a mode (mode_share.hpp) holds: "whatever
-/// mode the walls that failed would have had".
+/// mode the walls that failed would have had in the end".
 [[nodiscard]] std::string whatever_mode_text(const FragilityInput& f);
 
 /// "Mixed: ...; otherwise rocking", with the thresholds; no full stop.

@@ -69,6 +69,13 @@ struct ModeThresholds {
     ModeRule modes = ModeRule::mechanism;
 };
 
+/// Whether the mode of a wall that still stands is that of its mechanism so far, and may
+/// change. As the paper has it, a wall that stands rocks.
+[[nodiscard]] constexpr bool standing_is_undecided(const ModeThresholds& t)
+{
+    return t.modes == ModeRule::mechanism;
+}
+
 /// Whether at least the given share of the displacement is rotation, of the beam or of the
 /// blocks: such a wall does not slide.
 [[nodiscard]] bool rocks(const Mechanism& m, const ModeThresholds& t = {});
