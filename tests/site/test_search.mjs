@@ -9,8 +9,8 @@ const page = await openPage(program, { width: 1440 });
 try {
     await page.send('Page.navigate', { url: `file://${site}/docs/theory.html` });
     await page.until(`document.readyState === 'complete' && document.querySelector('.md-search__input') !== null`);
-    // The script of the theme may not listen yet: the word is typed again until something is found.
-    const typed = (word) => `{ const box = document.querySelector('.md-search__input'); box.focus(); box.value = '${word}'; for (const kind of ['keyup', 'input']) box.dispatchEvent(new Event(kind)); }`;
+    // The script of the theme may not listen yet: the box is left and the word is typed again until something is found.
+    const typed = (word) => `{ const box = document.querySelector('.md-search__input'); box.blur(); box.focus(); box.value = '${word}'; for (const kind of ['keyup', 'input']) box.dispatchEvent(new Event(kind)); }`;
     const some = `document.querySelectorAll('.md-search-result__item').length > 0`;
     for (let again = 0; again < 20 && !(await page.evaluate(some)); ++again) {
         await page.evaluate(typed('friction'));
