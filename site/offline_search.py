@@ -1,6 +1,10 @@
 #!/usr/bin/env python3
 """offline_search.py SITE   lets the search of a built site work from a folder: browsers refuse a file:// page its worker and its
-index, so that both go into SITE/offline_search.js, which pages load there alone, before the theme's own script."""
+index, so that both go into SITE/offline_search.js, which pages load there alone, before the theme's own script.
+
+The theme posts the index and queries (types 0 and 2), one at a time, and keeps only the last of those that wait for an answer. A word
+typed while the worker starts would so replace the index, and the search would never begin: until the index is posted, queries are
+answered here, with nothing found. The theme asks the last one again when the index is read."""
 import json
 import pathlib
 import re
@@ -14,6 +18,11 @@ SCRIPT = """// written by site/offline_search.py
     window.Worker = class extends Beside {
         constructor(url, options) {
             super(String(url).includes('/workers/search') ? URL.createObjectURL(new Blob([source], { type: 'text/javascript' })) : url, options);
+        }
+        postMessage(message) {
+            this.indexed ||= message.type !== 2;
+            if (this.indexed) super.postMessage(message);
+            else queueMicrotask(() => this.dispatchEvent(new MessageEvent('message', { data: { type: 3, data: { items: [] } } })));
         }
     };
 }

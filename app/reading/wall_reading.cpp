@@ -14,7 +14,7 @@ namespace {
 
 using fragility::Reading;
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoPeak = std::numeric_limits<double>::quiet_NaN();
 
 /// The curve rises to 1 at 1 and falls to 0 at 2: any rule can be read off it.
 constexpr std::array<double, 3> kTrialX{0.0, 1.0, 2.0}, kTrialY{0.0, 1.0, 0.0};
@@ -294,7 +294,10 @@ WallReading worse_of(const WallReading& a, const WallReading& b)
     return w;
 }
 
-double peak_force(const WallReading& w) { return w.peak ? w.peak->force : kNone; }
-double peak_displacement(const WallReading& w) { return w.peak ? w.peak->displacement : kNone; }
+double peak_force(const WallReading& w) { return w.peak ? w.peak->force : kNoPeak; }
+double peak_displacement(const WallReading& w)
+{
+    return w.peak ? w.peak->displacement : kNoPeak;
+}
 
 } // namespace app

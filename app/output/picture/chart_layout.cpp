@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kMargin = kChartMargin, kTickSize = 12.0; // [px]
 
-struct Range {
+struct Span {
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
     void add(double value, bool log)
@@ -21,24 +21,24 @@ struct Range {
     }
 };
 
-Range range_of(const Chart& chart, bool of_x)
+Span range_of(const Chart& chart, bool of_x)
 {
     const bool log = of_x ? chart.log_x : chart.log_y;
-    Range range;
+    Span range;
     for (const Series& s : chart.series)
         for (const double v : of_x ? s.x : s.y) range.add(v, log);
     for (const ReferenceLine& line : of_x ? chart.vertical : chart.horizontal)
         range.add(line.at, log);
     for (const ChartMark& mark : chart.marks) range.add(of_x ? mark.x : mark.y, log);
     if (range.low > range.high)
-        return log ? Range{1.0, 10.0} : Range{0.0, 1.0}; // nothing to show
+        return log ? Span{1.0, 10.0} : Span{0.0, 1.0}; // nothing to show
     // a curve that comes near zero is read from zero
     if (!log && range.low > 0.0 && range.low < 0.3 * range.high) range.low = 0.0;
     return range;
 }
 
 /// @param headroom share of the axis kept free above the data [-], in [0, 1)
-Axis make_axis(Range range, bool log, double headroom)
+Axis make_axis(Span range, bool log, double headroom)
 {
     if (log) {
         const double span = std::max(range.high / range.low, 1.0 + 1e-9);
@@ -177,7 +177,7 @@ ChartFrame lay_out_chart(const Chart& chart)
 {
     ChartFrame f;
     f.colours = pick_colours(chart.series);
-    const Range range_y = range_of(chart, false);
+    const Span range_y = range_of(chart, false);
     f.x = make_axis(range_of(chart, true), chart.log_x, 0.0);
     f.y = make_axis(range_y, chart.log_y, 0.0);
     f.right = chart.width - kMargin - 8.0;

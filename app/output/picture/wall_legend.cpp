@@ -19,7 +19,7 @@ std::string rounded(double value)
     return number(std::round(value / step) * step, 9);
 }
 
-std::string millimetres(double metres) { return rounded(metres * 1e3); }
+std::string in_millimetres(double metres) { return rounded(metres * 1e3); }
 
 /// A line that grows from `thin` to `thick` over the width of a sample.
 std::string taper(Pixel at, double thin, double thick, std::string_view colour,
@@ -33,8 +33,8 @@ std::string taper(Pixel at, double thin, double thick, std::string_view colour,
 
 std::string slip_text(const MarkSizes& sizes)
 {
-    const std::string from = millimetres(sizes.threshold);
-    return sizes.widest_slip > 0.0 ? from + " to " + millimetres(sizes.widest_slip) + " mm"
+    const std::string from = in_millimetres(sizes.threshold);
+    return sizes.widest_slip > 0.0 ? from + " to " + in_millimetres(sizes.widest_slip) + " mm"
                                    : "> " + from + " mm: none";
 }
 
@@ -54,7 +54,7 @@ double wall_legend_height(const MarkSizes& sizes, const StoneTints& tints)
 std::string draw_wall_legend(Pixel top_left, double width, const MarkSizes& sizes,
                              double widest_force, double mark_size, const StoneTints& tints)
 {
-    const std::string above = "> " + millimetres(sizes.threshold) + " mm";
+    const std::string above = "> " + in_millimetres(sizes.threshold) + " mm";
     const auto at = [&](int column, int row) -> Pixel {
         return {top_left.x + column * width / 3.0, top_left.y + 14.0 + row * 26.0};
     };

@@ -151,7 +151,8 @@ TEST_CASE("photograph: every stone of a rubble wall is found, within 5 % of its 
     CHECK(std::abs(all / all_wanted - 1.0) < 0.02);
 }
 
-TEST_CASE("photograph: each method finds the stones of an easy picture", "[app][photograph]")
+TEST_CASE("photograph: each method finds the stones of an easy picture",
+          "[app][photograph][repeats]")
 {
     const auto method = GENERATE(app::StoneMethod::threshold, app::StoneMethod::kmeans,
                                  app::StoneMethod::watershed);

@@ -396,7 +396,7 @@ TEST_CASE(
 }
 
 TEST_CASE("picture drawing: rubble in wide mortar fills the picture, and nothing crosses",
-          "[app][picture_drawing]")
+          "[app][picture_drawing][repeats]")
 {
     const double mortar = GENERATE(4.0, 10.0, 13.0);
     const double simplify = GENERATE(0.002, 0.01, 0.03);

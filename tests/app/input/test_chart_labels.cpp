@@ -104,7 +104,7 @@ std::vector<fs::path> shipped_studies()
 } // namespace
 
 TEST_CASE("chart labels: of any shipped study with eight limit states none covers anything",
-          "[app][chart_labels]")
+          "[app][chart_labels][repeats]")
 {
     const std::vector<std::string> codes = {"fragility.limit_states=paper, ntc, ec8"};
     std::size_t numbered = 0;

@@ -135,7 +135,7 @@ TEST_CASE("command line: a title is for the page that follows a study", "[app][c
 }
 
 TEST_CASE("command line: the help of a verb lists the keys that it reads, with true defaults",
-          "[app][command_line]")
+          "[app][command_line][repeats]")
 {
     for (const app::Verb& verb : app::verbs())
         for (const app::Key& key : app::study_keys()) {

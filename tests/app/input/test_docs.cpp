@@ -153,7 +153,7 @@ TEST_CASE("docs: every command of every page is one, and its study reads", "[app
     CHECK(read > 20);
 }
 
-TEST_CASE("docs: every link leads to a file, and to a heading of it", "[app][docs]")
+TEST_CASE("docs: every link leads to a file, and to a heading of it", "[app][docs][repeats]")
 {
     std::size_t headings = 0;
     for (const fs::path& page : pages()) {
@@ -171,7 +171,8 @@ TEST_CASE("docs: every link leads to a file, and to a heading of it", "[app][doc
     CHECK(headings > 20);
 }
 
-TEST_CASE("docs: every test that the page of verification names is there", "[app][docs]")
+TEST_CASE("docs: every test that the page of verification names is there",
+          "[app][docs][repeats]")
 {
     std::string names;
     for (const fs::path& source : files(kRoot / "tests", ".cpp"))

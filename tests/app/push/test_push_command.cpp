@@ -273,7 +273,7 @@ TEST_CASE("push command: limit states are in tables, with what governs", "[app][
 
 TEST_CASE("push command: a wall that is not symmetric is pushed the other way too, and says "
           "both peaks",
-          "[app][push_command]")
+          "[app][push_command][repeats]")
 {
     const scenes::TemporaryFolder folder;
     std::vector<std::string> keys = kCoarse;

@@ -71,7 +71,7 @@ bool h5dump_reads(const fs::path& file)
 } // namespace
 
 TEST_CASE(
-    "store: killed 12 times at random, it loses no wall that was acknowledged and ends as "
+    "store: killed six times at random, it loses no wall that was acknowledged and ends as "
     "if never killed",
     "[slow][app][store_kill]")
 {
@@ -81,7 +81,7 @@ TEST_CASE(
     Progress& progress = *shared_progress();
     uq::Stream random(1, 0, uq::Purpose::search);
     int begun = 0;
-    for (int killed = 0; killed < 12; ++begun) {
+    for (int killed = 0; killed < 6; ++begun) {
         REQUIRE(begun < 300);
         const pid_t child = start_child([&] { return write_walls(file, samples, progress); });
         const std::uint32_t until =

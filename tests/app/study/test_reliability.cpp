@@ -169,7 +169,7 @@ TEST_CASE("reliability: faults of a study of another program are named", "[app][
 }
 
 TEST_CASE("reliability: Sobol' indices of another program are those of the closed form",
-          "[app][reliability]")
+          "[app][reliability][repeats]")
 {
     // r - s of two independent inputs of one variance: half each, no interaction.
     const Script script;

@@ -72,7 +72,8 @@ dem::Snapshot loaded(const scenes::Scene& s, const dem::Discretisation& d)
 
 } // namespace
 
-TEST_CASE("model: no motion of a bonded wall is faster than the step allows", "[dem][model]")
+TEST_CASE("model: no motion of a bonded wall is faster than the step allows",
+          "[dem][model][repeats]")
 {
     // Largest eigenvalue of M^-1 K with M = (lambda + 2)/4: at most 4, where a unit step of the
     // leapfrog is just stable.

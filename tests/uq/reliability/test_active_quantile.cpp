@@ -52,8 +52,8 @@ TEST_CASE("active quantile: 5 % in two and six dimensions within its interval, f
     };
     const double s = std::sqrt(0.91);
     const Case c =
-        GENERATE_COPY(Case{2, bent, kBent, 0.100, 100, 70.0},
-                      Case{6, product, kProduct, 0.1031356 / (s * kProduct), 20, 200.0});
+        GENERATE_COPY(Case{2, bent, kBent, 0.100, 40, 70.0},
+                      Case{6, product, kProduct, 0.1031356 / (s * kProduct), 10, 200.0});
     int held = 0;
     double calls = 0.0, squares = 0.0;
     for (int run = 1; run <= c.runs; ++run) {
@@ -72,7 +72,7 @@ TEST_CASE("active quantile: 5 % in two and six dimensions within its interval, f
 }
 
 TEST_CASE("active quantile: answers that are censored leave the interval open above",
-          "[uq][active_quantile]")
+          "[uq][active_quantile][repeats]")
 {
     const auto cut = [](double end) {
         return problems::limit_state(
@@ -124,7 +124,7 @@ TEST_CASE("active quantile: failed evaluations widen the interval on both sides"
 TEST_CASE(
     "active quantile: the same seed gives the same bits, the budget holds, bad options are "
     "refused",
-    "[uq][active_quantile]")
+    "[uq][active_quantile][repeats]")
 {
     const uq::LimitState s = problems::limit_state(2, bent);
     uq::ActiveQuantileOptions o;
