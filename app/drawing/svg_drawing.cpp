@@ -1,7 +1,7 @@
 #include "app/drawing/outlines/drawing_formats.hpp"
 
-#include "app/drawing/hidden_layers.hpp"
 #include "app/drawing/outlines/drawing_file.hpp"
+#include "app/drawing/outlines/hidden_layers.hpp"
 #include "app/drawing/svg_element.hpp"
 #include "app/drawing/svg_geometry.hpp"
 #include "app/drawing/svg_reading.hpp"
@@ -34,7 +34,7 @@ struct SvgContent {
 };
 
 dem::Point placed(const SvgContent& content, const SvgElement& element,
-                  const SvgTransform& transform, SvgPoint p)
+                  const PlaneTransform& transform, SvgPoint p)
 {
     const SvgPoint at = apply(transform, p);
     return checked_point(content.drawing.frame, element.place.line, at.x, -at.y);

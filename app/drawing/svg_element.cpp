@@ -34,7 +34,7 @@ void refuse_other_moves(const SvgElement& element, const SvgStyle& style)
     }
 }
 
-SvgTransform transform_of(const SvgElement& element, const SvgStyle& style)
+PlaneTransform transform_of(const SvgElement& element, const SvgStyle& style)
 {
     refuse_other_moves(element, style);
     const auto at = style.find("transform");

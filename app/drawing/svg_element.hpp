@@ -11,7 +11,7 @@ namespace app {
 
 /// Properties that an element hands down to those within it.
 struct SvgGroup {
-    SvgTransform transform;
+    PlaneTransform transform;
     std::string label, id;               ///< of the innermost group that has one
     bool displayed = true;               ///< display, which hides all that lies within
     bool visible = true;                 ///< visibility, which what lies within may set anew

@@ -4,6 +4,7 @@ drystone_tests(app_drawing
         app/drawing/test_bad_drawing.cpp
         app/drawing/test_drawing_fit.cpp
         app/drawing/test_drawing_fuzz.cpp
+        app/drawing/test_dxf_blocks.cpp
         app/drawing/test_dxf_drawing.cpp
         app/drawing/test_json_drawing.cpp
         app/drawing/test_picture_drawing.cpp
