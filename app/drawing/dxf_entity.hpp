@@ -42,7 +42,8 @@ struct DxfEntity {
 /// @throws ConfigError if it is not drawn in the x-y plane
 [[nodiscard]] double extrusion_of(const DrawingFrame& frame, const DxfEntity& entity);
 
-/// A name of a layer or a block, in UTF-8.
+/// A name as people see it, in UTF-8: `\U+00FC` is the letter u with two dots. Bytes that are
+/// not UTF-8 are taken as those of the code page ANSI_1252, which most files before 2007 have.
 [[nodiscard]] std::string dxf_name(std::string_view value);
 
 /// The name in upper case: names of layers and blocks are the same in upper and lower case.
