@@ -10,6 +10,7 @@ drystone_tests(app_drawing
         app/drawing/test_picture_drawing.cpp
         app/drawing/test_svg_drawing.cpp
         app/drawing/test_svg_page.cpp
+        app/drawing/test_svg_paints.cpp
         app/drawing/test_write_drawing.cpp
     LIBRARIES drystone_app_drawing PNG::PNG
     DEFINITIONS DRYSTONE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
