@@ -27,6 +27,7 @@ constexpr std::array kRefused = {
            "a spline; convert it to a polyline of straight pieces (PEDIT or FLATTEN)"},
     Remedy{"HELIX", "a helix; draw it as a polyline of straight pieces"},
     Remedy{"MLINE", "a multiline; explode it (EXPLODE)"},
+    Remedy{"MPOLYGON", "a polygon with a hatch; explode it (EXPLODE) into polylines"},
     Remedy{"REGION", "a region; explode it (EXPLODE) into lines"},
     Remedy{"3DSOLID", "a solid body; draw its front as a polyline"},
     Remedy{"BODY", "a solid body; draw its front as a polyline"},

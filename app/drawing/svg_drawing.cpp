@@ -49,7 +49,7 @@ void add_polygon(SvgContent& content, const SvgElement& element, const SvgGroup&
     for (const SvgPoint& p : points)
         outline.corners.push_back(placed(content, element, group.transform, p));
     add_outline(content.drawing, std::move(outline), closed, content.snap);
-    content.paints.push_back({group.filled, group.stroked});
+    content.paints.push_back({group.has_fill(), group.has_stroke()});
 }
 
 void add_rectangle(SvgContent& content, const SvgElement& element, const SvgGroup& group)
@@ -128,7 +128,8 @@ void refuse_shape(const SvgContent& content, const SvgElement& element, const Sv
 /// has no fill; the file of a line without a stroke was written by hand.
 bool is_unpainted(const SvgElement& element, const SvgGroup& group)
 {
-    return !group.filled && !group.stroked && element.name != "line" && element.name != "use";
+    return !group.has_fill() && !group.has_stroke() && element.name != "line" &&
+           element.name != "use";
 }
 
 /// True for a shape that is not shown, or whose group is not.

@@ -17,8 +17,12 @@ struct SvgGroup {
     bool visible = true;                 ///< visibility, which what lies within may set anew
     bool clipped = false;                ///< by a clip path or a mask
     bool filled = true, stroked = false; ///< paint, which what lies within may set anew
+    /// Opacity of the fill, and opacity and width of the stroke, are not zero; as paint.
+    bool fill_shows = true, stroke_shows = true, stroke_is_wide = true;
 
     [[nodiscard]] bool shown() const { return displayed && visible; }
+    [[nodiscard]] bool has_fill() const { return filled && fill_shows; }
+    [[nodiscard]] bool has_stroke() const { return stroked && stroke_shows && stroke_is_wide; }
     [[nodiscard]] const std::string& layer() const { return label.empty() ? id : label; }
 };
 

@@ -30,6 +30,20 @@ bool coincide(const Corners& a, const Corners& b, double tolerance)
     return false;
 }
 
+/// The corners without those on the straight line between their neighbours: programs begin an
+/// outline in the middle of a side.
+Corners without_straight(const Corners& all, double tolerance)
+{
+    Corners kept;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const dem::Point before = kept.empty() ? all.back() : kept.back(),
+                         after = all[(i + 1) % all.size()];
+        if (nearest_on_segment(all[i], before, after).distance > tolerance)
+            kept.push_back(all[i]);
+    }
+    return kept;
+}
+
 double left_of(const Corners& corners)
 {
     return std::ranges::min(corners, {}, &dem::Point::x).x;
@@ -72,9 +86,11 @@ void join_paints(RawDrawing& drawing, const std::vector<SvgPaint>& paints, doubl
         if (!paints[i].filled || paints[i].stroked) continue;
         const double left = left_of(outlines[i].corners);
         const auto last = lines.upper_bound(left + tolerance);
+        const Corners corners = without_straight(outlines[i].corners, tolerance);
         const auto line =
             std::find_if(lines.lower_bound(left - tolerance), last, [&](const auto& l) {
-                return coincide(outlines[i].corners, outlines[l.second].corners, tolerance);
+                const Corners& stroke = outlines[l.second].corners;
+                return coincide(corners, without_straight(stroke, tolerance), tolerance);
             });
         if (line == last) continue;
         const std::size_t stroke = line->second;

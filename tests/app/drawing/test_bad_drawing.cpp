@@ -119,6 +119,8 @@ TEST_CASE(
             "w.dxf:6: at (2, 3) there is an ellipse", ""},
            {"w.dxf", dxf_text("0\nSPLINE\n10\n2\n20\n3\n"),
             "w.dxf:6: at (2, 3) there is a spline", ""},
+           {"w.dxf", dxf_text(block + "0\nMPOLYGON\n10\n2\n20\n3\n"),
+            "w.dxf:30: at (2, 3) there is a polygon with a hatch", "EXPLODE"},
            {"w.dxf", dxf_text("0\nINSERT\n2\ndoor\n10\n2\n20\n3\n"),
             "w.dxf:6: at (2, 3) the block \"door\" is inserted, which the file does not",
             "explode"},

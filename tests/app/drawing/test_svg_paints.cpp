@@ -33,7 +33,7 @@ TEST_CASE("svg paints: a stone whose fill and stroke are two paths is one stone"
     for (const char* same :
          {"<path d='M0 0H2V1H0Z'", "<path d='M2 1V0H0V1Z'", "<path d='M2 0V1H0V0Z'",
           "<polygon points='0,1 0,0 2,0 2,1'", "<rect width='2' height='1'",
-          "<path transform='scale(2)' d='M0 0.0001H1V0.5H0Z'"}) {
+          "<path d='M1 1H0V0H1H2V1H1Z'", "<path transform='scale(2)' d='M0 0.0001H1V0.5H0Z'"}) {
         INFO(same);
         for (const std::string& body :
              {kPath + kFill + same + kStroke, kPath + kStroke + same + kFill}) {
@@ -62,6 +62,31 @@ TEST_CASE("svg paints: the layer is that of the fill, and a stroke on another on
         CHECK(read.blocks[0].layer == "lime");
         CHECK(scenes::notes(read, "1 stroke is on another layer than the fill"));
     }
+}
+
+TEST_CASE("svg paints: a fill that is clear, a stroke that is clear or has no width are none",
+          "[app][svg_paints]")
+{
+    const std::string beside = "<rect x='2' width='2' height='1' ";
+    for (const char* clear :
+         {"style='fill:#aaa;fill-opacity:0;stroke:none'",
+          "fill='none' stroke='#000' stroke-width='0'", "fill-opacity='0.0'",
+          "fill='none' stroke='#000' style='stroke-width:0px'",
+          "fill='none' stroke='red' stroke-opacity='0'"}) {
+        INFO(clear);
+        const app::Drawing read = wall(kPath + kBoth + beside + clear + "/>");
+        CHECK(read.blocks.size() == 1);
+        CHECK(scenes::notes(read, "1 hidden shape was ignored"));
+    }
+    for (const char* seen :
+         {"fill-opacity='0.1'", "fill-opacity='0' stroke='#000'", "stroke-width='0'",
+          "fill='none' stroke='#000' stroke-width='0.5mm'", "fill-opacity='50%'"}) {
+        INFO(seen);
+        CHECK(wall(kPath + kBoth + beside + seen + "/>").blocks.size() == 2);
+    }
+    CHECK(wall(kPath + kBoth + "<g fill-opacity='0'>" + beside + "/></g>").blocks.size() == 1);
+    CHECK(wall(kPath + kBoth + "<g fill-opacity='0'>" + beside + "fill-opacity='1'/></g>")
+              .blocks.size() == 2);
 }
 
 TEST_CASE("svg paints: any other stone that is drawn twice is refused", "[app][svg_paints]")
