@@ -1,5 +1,5 @@
 #pragma once
-/// The numbers of a cycle of a push to and fro: one table for the file of a push and for Python.
+/// The numbers of a cycle of a push to and fro: one table for files and for Python.
 
 #include "dem/solver/state/energy.hpp"
 #include "fragility/curve/cyclic_curve.hpp"

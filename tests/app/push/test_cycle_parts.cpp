@@ -35,8 +35,8 @@ app::PushedWall pushed()
     return wall;
 }
 
-/// What drive, weight and vertical load have put in where a cycle begins or ends [J]. The area
-/// of the loop is less: the load sinks as the wall crushes.
+/// The energy that drive, weight and vertical load have put in where a cycle begins or ends
+/// [J]. The area of the loop is less: the load sinks as the wall crushes.
 double at(const std::vector<dem::Energy>& ledger, std::size_t point, double share)
 {
     const auto put_in = [&](std::size_t k) { return ledger.at(k).work + ledger.at(k).lifted; };
