@@ -74,6 +74,34 @@ void read_tables(DxfContent& content, DxfGroups& groups)
     }
 }
 
+/// Reads to the end of the section BLOCKS.
+void read_blocks(DxfContent& content, DxfGroups& groups)
+{
+    while (const std::optional<DxfGroup> head = groups.next()) {
+        if (head->code != 0) continue;
+        if (head->value == "ENDSEC") return;
+        if (head->value == "BLOCK") add_block(content, read_entity(groups, *head), groups);
+        if (head->value == "EOF" || head->value == "SECTION") {
+            groups.step_back();
+            return;
+        }
+    }
+}
+
+/// Reads to the end of the section OBJECTS, for the clip boundaries of inserted blocks.
+void read_objects(DxfContent& content, DxfGroups& groups)
+{
+    while (const std::optional<DxfGroup> head = groups.next()) {
+        if (head->code != 0) continue;
+        if (head->value == "ENDSEC") return;
+        if (head->value == "SPATIAL_FILTER") ++content.blocks.clipped;
+        if (head->value == "EOF" || head->value == "SECTION") {
+            groups.step_back();
+            return;
+        }
+    }
+}
+
 /// Reads to the end of the section ENTITIES.
 void read_entities(DxfContent& content, DxfGroups& groups)
 {
@@ -110,6 +138,8 @@ RawDrawing read_dxf(const DrawingFrame& frame, std::string_view bytes, double sn
             begins_section = false;
             if (group->value == "HEADER") read_header(content, groups);
             if (group->value == "TABLES") read_tables(content, groups);
+            if (group->value == "BLOCKS") read_blocks(content, groups);
+            if (group->value == "OBJECTS") read_objects(content, groups);
             if (group->value == "ENTITIES") {
                 read_entities(content, groups);
                 has_entities = true;
@@ -122,6 +152,7 @@ RawDrawing read_dxf(const DrawingFrame& frame, std::string_view bytes, double sn
     if (!has_entities)
         refuse(frame, groups.line(),
                "has no section ENTITIES; draw the outlines of the blocks in the model space");
+    note_inserted(content);
     note_ignored(content.drawing, content.ignored);
     if (content.in_paper_space > 0)
         content.drawing.notes.push_back(

@@ -41,6 +41,12 @@ void DxfGroups::step_back()
     line_ -= 2;
 }
 
+void DxfGroups::go_to(Place place)
+{
+    at_ = last_ = place.at;
+    line_ = place.line;
+}
+
 double dxf_number(const DrawingFrame& frame, const DxfGroup& group)
 {
     const std::optional<double> value = read_number(group.value);

@@ -32,6 +32,15 @@ class DxfGroups {
 
     [[nodiscard]] int line() const { return line_; }
 
+    /// A place between two groups.
+    struct Place {
+        std::size_t at = 0; ///< byte of the text
+        int line = 0;       ///< before it
+    };
+    [[nodiscard]] Place place() const { return {at_, line_}; }
+    /// The next call of next() gives the group behind that place.
+    void go_to(Place place);
+
   private:
     [[nodiscard]] std::string_view take_line();
 

@@ -76,8 +76,8 @@ Drawing fit_blocks(const std::string& file, int line, std::span<const DrawnBlock
 Drawing read_drawing(const std::filesystem::path& path, const DrawingOptions& options)
 {
     const std::string extension = extension_of(path);
-    const DrawingFrame frame{path.string(),      options.unit, extension == ".svg",   {},
-                             options.unit_given, true,         options.close_outlines};
+    const DrawingFrame frame{path.string(),      options.unit, extension == ".svg",    {},
+                             options.unit_given, true,         options.close_outlines, {}};
     check_options(frame.file, options);
     const double snap = options.snap;
     if (extension == ".dxf")

@@ -1,9 +1,10 @@
 #include "app/drawing/outlines/drawing_formats.hpp"
 
-#include "app/drawing/hidden_layers.hpp"
 #include "app/drawing/outlines/drawing_file.hpp"
+#include "app/drawing/outlines/hidden_layers.hpp"
 #include "app/drawing/svg_element.hpp"
 #include "app/drawing/svg_geometry.hpp"
+#include "app/drawing/svg_paints.hpp"
 #include "app/drawing/svg_reading.hpp"
 #include "app/text/number_text.hpp"
 
@@ -28,13 +29,14 @@ struct SvgContent {
     std::size_t skipped = 0; ///< depth within an element that is passed over
     std::map<std::string, std::size_t> ignored;
     HiddenShapes hidden;
-    std::size_t clipped = 0; ///< outlines of which only a part is shown
+    std::size_t clipped = 0;      ///< outlines of which only a part is shown
+    std::vector<SvgPaint> paints; ///< of the outlines of the drawing
     SvgStyleSheet sheet;
     std::exception_ptr error; ///< kept while the parser, which is C, returns
 };
 
 dem::Point placed(const SvgContent& content, const SvgElement& element,
-                  const SvgTransform& transform, SvgPoint p)
+                  const PlaneTransform& transform, SvgPoint p)
 {
     const SvgPoint at = apply(transform, p);
     return checked_point(content.drawing.frame, element.place.line, at.x, -at.y);
@@ -47,6 +49,7 @@ void add_polygon(SvgContent& content, const SvgElement& element, const SvgGroup&
     for (const SvgPoint& p : points)
         outline.corners.push_back(placed(content, element, group.transform, p));
     add_outline(content.drawing, std::move(outline), closed, content.snap);
+    content.paints.push_back({group.has_fill(), group.has_stroke()});
 }
 
 void add_rectangle(SvgContent& content, const SvgElement& element, const SvgGroup& group)
@@ -125,7 +128,8 @@ void refuse_shape(const SvgContent& content, const SvgElement& element, const Sv
 /// has no fill; the file of a line without a stroke was written by hand.
 bool is_unpainted(const SvgElement& element, const SvgGroup& group)
 {
-    return !group.filled && !group.stroked && element.name != "line" && element.name != "use";
+    return !group.has_fill() && !group.has_stroke() && element.name != "line" &&
+           element.name != "use";
 }
 
 /// True for a shape that is not shown, or whose group is not.
@@ -247,6 +251,7 @@ RawDrawing read_svg(const DrawingFrame& frame, std::string_view bytes, double sn
                "is not XML (" + std::string(XML_ErrorString(XML_GetErrorCode(parser.get()))) +
                    "); export the drawing again");
     }
+    join_paints(content.drawing, content.paints, snap);
     note_ignored(content.drawing, content.ignored);
     note_hidden(content.drawing, content.hidden);
     note_clipped(content);

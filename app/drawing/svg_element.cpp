@@ -14,7 +14,8 @@ SvgStyle style_of(const SvgStyleSheet& sheet, const SvgElement& element)
         const char* value = element.find(name);
         return value ? value : "";
     };
-    for (const char* name : {"display", "visibility", "opacity", "fill", "stroke", "transform",
+    for (const char* name : {"display", "visibility", "opacity", "fill", "stroke",
+                             "fill-opacity", "stroke-opacity", "stroke-width", "transform",
                              "transform-origin", "clip-path", "mask"})
         if (const char* value = element.find(name)) style[name] = value;
     sheet.apply(style, element.name, text_of("id"), text_of("class"));
@@ -34,7 +35,7 @@ void refuse_other_moves(const SvgElement& element, const SvgStyle& style)
     }
 }
 
-SvgTransform transform_of(const SvgElement& element, const SvgStyle& style)
+PlaneTransform transform_of(const SvgElement& element, const SvgStyle& style)
 {
     refuse_other_moves(element, style);
     const auto at = style.find("transform");
@@ -59,6 +60,14 @@ bool is_painted(std::string_view paint, bool around)
     return paint != "none" && paint != "transparent";
 }
 
+/// Whether a number that may be inherited, such as "stroke-width", is not zero.
+bool is_not_zero(std::string_view value, bool around)
+{
+    if (value.empty() || value == "inherit") return around;
+    const std::size_t end = value.find_first_not_of("+-.0123456789eE");
+    return read_number(value.substr(0, end)) != 0.0;
+}
+
 } // namespace
 
 SvgGroup group_within(SvgGroup group, const SvgStyleSheet& sheet, const SvgElement& element)
@@ -75,6 +84,9 @@ SvgGroup group_within(SvgGroup group, const SvgStyleSheet& sheet, const SvgEleme
         if (!value(name).empty() && value(name) != "none") group.clipped = true;
     group.filled = is_painted(value("fill"), group.filled);
     group.stroked = is_painted(value("stroke"), group.stroked);
+    group.fill_shows = is_not_zero(value("fill-opacity"), group.fill_shows);
+    group.stroke_shows = is_not_zero(value("stroke-opacity"), group.stroke_shows);
+    group.stroke_is_wide = is_not_zero(value("stroke-width"), group.stroke_is_wide);
     const std::string_view visibility = value("visibility");
     if (visibility == "hidden" || visibility == "collapse") group.visible = false;
     if (visibility == "visible") group.visible = true;

@@ -11,14 +11,18 @@ namespace app {
 
 /// Properties that an element hands down to those within it.
 struct SvgGroup {
-    SvgTransform transform;
+    PlaneTransform transform;
     std::string label, id;               ///< of the innermost group that has one
     bool displayed = true;               ///< display, which hides all that lies within
     bool visible = true;                 ///< visibility, which what lies within may set anew
     bool clipped = false;                ///< by a clip path or a mask
     bool filled = true, stroked = false; ///< paint, which what lies within may set anew
+    /// Opacity of the fill, and opacity and width of the stroke, are not zero; as paint.
+    bool fill_shows = true, stroke_shows = true, stroke_is_wide = true;
 
     [[nodiscard]] bool shown() const { return displayed && visible; }
+    [[nodiscard]] bool has_fill() const { return filled && fill_shows; }
+    [[nodiscard]] bool has_stroke() const { return stroked && stroke_shows && stroke_is_wide; }
     [[nodiscard]] const std::string& layer() const { return label.empty() ? id : label; }
 };
 

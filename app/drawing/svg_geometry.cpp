@@ -62,8 +62,8 @@ std::string svg_coordinates(SvgPoint p)
     return "(" + number(p.x, 8) + ", " + number(p.y, 8) + ")";
 }
 
-SvgTransform transform_of(const SvgPlace& place, std::string_view name,
-                          const std::vector<double>& v)
+PlaneTransform transform_of(const SvgPlace& place, std::string_view name,
+                            const std::vector<double>& v)
 {
     const std::size_t n = v.size();
     constexpr double kRadians = std::numbers::pi / 180.0;
@@ -75,10 +75,10 @@ SvgTransform transform_of(const SvgPlace& place, std::string_view name,
     if (name == "skewY" && n == 1) return {1, std::tan(v[0] * kRadians), 0, 1, 0, 0};
     if (name == "rotate" && (n == 1 || n == 3)) {
         const double c = std::cos(v[0] * kRadians), s = std::sin(v[0] * kRadians);
-        const SvgTransform turn{c, s, -s, c, 0, 0};
+        const PlaneTransform turn{c, s, -s, c, 0, 0};
         if (n == 1) return turn;
-        return SvgTransform{1, 0, 0, 1, v[1], v[2]} * turn *
-               SvgTransform{1, 0, 0, 1, -v[1], -v[2]};
+        return PlaneTransform{1, 0, 0, 1, v[1], v[2]} * turn *
+               PlaneTransform{1, 0, 0, 1, -v[1], -v[2]};
     }
     refuse(*place.frame, place.line,
            "the transform \"" + readable_name(name.substr(0, 40)) + "\" with " +
@@ -136,20 +136,14 @@ void follow(Pen& pen, SvgReader& reader, char command)
 
 } // namespace
 
-SvgTransform operator*(const SvgTransform& o, const SvgTransform& i)
-{
-    return {o.a * i.a + o.c * i.b, o.b * i.a + o.d * i.b,       o.a * i.c + o.c * i.d,
-            o.b * i.c + o.d * i.d, o.a * i.e + o.c * i.f + o.e, o.b * i.e + o.d * i.f + o.f};
-}
-
-SvgPoint apply(const SvgTransform& t, SvgPoint p)
+SvgPoint apply(const PlaneTransform& t, SvgPoint p)
 {
     return {t.a * p.x + t.c * p.y + t.e, t.b * p.x + t.d * p.y + t.f};
 }
 
-SvgTransform svg_transform(const SvgPlace& place, std::string_view text)
+PlaneTransform svg_transform(const SvgPlace& place, std::string_view text)
 {
-    SvgTransform whole;
+    PlaneTransform whole;
     SvgReader reader{place, text};
     while (reader.skip_separator(), !reader.rest.empty()) {
         const std::size_t open = reader.rest.find('('), close = reader.rest.find(')');

@@ -3,25 +3,18 @@
 /// downwards.
 
 #include "app/drawing/outlines/raw_drawing.hpp"
+#include "app/drawing/plane_transform.hpp"
 
 #include <string_view>
 #include <vector>
 
 namespace app {
 
-/// x' = a x + c y + e, y' = b x + d y + f.
-struct SvgTransform {
-    double a = 1.0, b = 0.0, c = 0.0, d = 1.0, e = 0.0, f = 0.0;
-};
-
-/// First the inner, then the outer one.
-[[nodiscard]] SvgTransform operator*(const SvgTransform& outer, const SvgTransform& inner);
-
 /// A point of SVG, y downwards.
 struct SvgPoint {
     double x = 0.0, y = 0.0;
 };
-[[nodiscard]] SvgPoint apply(const SvgTransform& t, SvgPoint p);
+[[nodiscard]] SvgPoint apply(const PlaneTransform& t, SvgPoint p);
 
 /// Where an attribute stands, for messages.
 struct SvgPlace {
@@ -30,7 +23,7 @@ struct SvgPlace {
 };
 
 /// "translate(1, 2) rotate(30)". @throws ConfigError
-[[nodiscard]] SvgTransform svg_transform(const SvgPlace& place, std::string_view text);
+[[nodiscard]] PlaneTransform svg_transform(const SvgPlace& place, std::string_view text);
 
 /// "0,0 1,0 1,1". @throws ConfigError
 [[nodiscard]] std::vector<SvgPoint> svg_points(const SvgPlace& place, std::string_view text);

@@ -86,7 +86,8 @@ Table pier_table(const Study& study, const std::vector<PushedWall>& walls)
     t.title = "Piers";
     t.caption = std::string(kPierNumbers) +
                 " 'Carries little': never 5 % of the wall's force; such a pier governs "
-                "nothing. Limit: drift that a code allows this pier; reached: movement of the "
+                "nothing. 'So far': it has kept its shear, and its mode may change. Limit: "
+                "drift that a code allows this pier; reached: movement of the "
                 "load when the pier reaches it, '>' where the push ended before.";
     t.keys = 3;
     using Pier = const PierReading&;

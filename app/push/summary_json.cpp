@@ -143,6 +143,7 @@ Json piers(const PushedWall& w, const ReadingRules& rules)
                        {"largest_shear_kN", or_null(p.facts.most_shear * kToKn)},
                        {"drift_at_end_percent", or_null(100.0 * p.drift)},
                        {"mode", p.moved ? Json(name(p.mode)) : Json(nullptr)},
+                       {"mode_so_far", p.mode_so_far},
                        {"carries", p.carries},
                        {"h0_over_d", or_null(p.facts.slenderness)},
                        {"drift_limits", caps},

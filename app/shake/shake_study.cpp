@@ -213,7 +213,8 @@ std::vector<WallKey> longest_first(const HistoryPlan& plan, std::vector<WallKey>
     return histories;
 }
 
-/// Runs one register of histories, from all over the study, to know what one takes.
+/// Runs one register of histories, from all over the study, to know what one takes; and, where
+/// walls are pushed as well, one register of pushes.
 StudyWork shaking_work(const PreparedStudy& ready, const HistoryPlan& plan)
 {
     const std::vector<std::uint32_t> sizes = {samples_of(ready.study)};
@@ -228,10 +229,18 @@ StudyWork shaking_work(const PreparedStudy& ready, const HistoryPlan& plan)
             {static_cast<std::uint32_t>(at / each), static_cast<std::uint32_t>(at % each)});
     }
     double seconds = 0.0;
-    run_histories(ready, plan, samples, pilot, 1,
+    PreparedStudy alone = ready;
+    alone.study.shaking.push = false;
+    run_histories(alone, plan, samples, pilot, 1,
                   [&](WallKey, const WallDraw&, ShakenHistory&& h) { seconds += h.seconds; });
     const double mean = seconds / static_cast<double>(n);
-    return {all, "histories", mean, mean * static_cast<double>(all)};
+    StudyWork work{all, "histories", mean, mean * static_cast<double>(all), 0, 0.0};
+    if (ready.study.shaking.push) {
+        const StudyWork pushes = pushing_work(ready);
+        work.pushed = pushes.runs;
+        work.each_push = pushes.each;
+    }
+    return work;
 }
 
 void check_size(const Study& study, const HistoryPlan& plan)

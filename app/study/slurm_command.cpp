@@ -106,12 +106,13 @@ double effort(const PreparedStudy& ready)
 }
 
 /// Shards so that one takes about half an hour, at least one wall in each.
-/// @param seconds of one core for all of them
-int shard_count(std::size_t walls, double seconds, int threads)
+int shard_count(const StudyWork& work, int threads)
 {
-    const double n = static_cast<double>(walls);
-    const double wanted = std::ceil(seconds / (kShardSeconds * threads));
-    return static_cast<int>(std::clamp(wanted, 1.0, std::min(kMostShards, std::max(1.0, n))));
+    const auto most =
+        static_cast<int>(std::min(kMostShards, std::max(1.0, static_cast<double>(work.runs))));
+    int n = 1;
+    while (n < most && seconds_of(work, n) > kShardSeconds * threads * n) ++n;
+    return n;
 }
 
 /// [s] of one core for a wall, from the first walls of the study under all its levels.
@@ -167,25 +168,40 @@ std::string slurm_script(const Command& command, int shards, double minutes)
 
 } // namespace
 
+double pushes_of(const StudyWork& work, int shards)
+{
+    if (work.pushed == 0) return 0.0;
+    const double pushed = static_cast<double>(work.pushed),
+                 runs_of_wall = static_cast<double>(work.runs) / pushed;
+    return pushed * std::min(runs_of_wall, static_cast<double>(shards));
+}
+
+double seconds_of(const StudyWork& work, int shards)
+{
+    return work.all + pushes_of(work, shards) * work.each_push;
+}
+
 StudyWork pushing_work(const PreparedStudy& ready)
 {
     const double each = seconds_per_wall(ready);
-    return {wall_count(ready.study), "walls", each, effort(ready) * each};
+    return {wall_count(ready.study), "walls", each, effort(ready) * each, 0, 0.0};
 }
 
 int write_slurm_script(const StudyWork& work, const Command& command)
 {
     if (const std::string note = check_replaced(command.script, kHead); !command.quiet)
         std::cerr << note;
-    const int shards = command.shard.count > 1
-                           ? command.shard.count
-                           : shard_count(work.runs, work.all, command.threads);
-    const double minutes = work.all / 60.0 / shards / command.threads;
+    const int shards =
+        command.shard.count > 1 ? command.shard.count : shard_count(work, command.threads);
+    const double minutes = seconds_of(work, shards) / 60.0 / shards / command.threads;
     const fs::path file = command.script;
     if (file.has_parent_path()) make_folder(file.parent_path());
     write_file(file, slurm_script(command, shards, minutes));
-    std::cout << work.runs << " " << work.name << " of " << number(work.each, 2) << " s, "
-              << shards << " shards of about " << fixed(minutes, 1) << " minutes on "
+    std::cout << work.runs << " " << work.name << " of " << number(work.each, 2) << " s, ";
+    if (work.pushed > 0)
+        std::cout << number(pushes_of(work, shards), 9) << " pushes of "
+                  << number(work.each_push, 2) << " s, ";
+    std::cout << shards << " shards of about " << fixed(minutes, 1) << " minutes on "
               << command.threads << " threads; submit with: bash " << command.script << '\n';
     return 0;
 }

@@ -14,8 +14,18 @@ struct StudyWork {
     std::size_t runs = 0; ///< of one wall each: most shards that make sense
     std::string name;     ///< of such runs: "walls"
     double each = 0.0;    ///< [s] of one core for one
-    double all = 0.0;     ///< [s] of one core for the study
+    double all = 0.0;     ///< [s] of one core for all of them
+    /// Walls that a shard also pushes, once each, if it has a run of them: runs of one wall are
+    /// dealt to as many shards as there are.
+    std::size_t pushed = 0;
+    double each_push = 0.0; ///< [s] of one core for one
 };
+
+/// Pushes of walls in all shards together.
+[[nodiscard]] double pushes_of(const StudyWork& work, int shards);
+
+/// [s] of one core for the study, divided among so many shards.
+[[nodiscard]] double seconds_of(const StudyWork& work, int shards);
 
 /// Runs one register of walls to know what a wall takes.
 [[nodiscard]] StudyWork pushing_work(const PreparedStudy& ready);

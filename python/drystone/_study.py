@@ -127,9 +127,13 @@ class Push:
 
     @property
     def cycles(self) -> dict[str, numpy.ndarray]:
-        """Of a push to and fro, by cycle: amplitude, displacement_plus, displacement_minus, residual_plus, residual_minus [m],
-        force_plus, force_minus [N], energy [J], damping [-], stiffness [N/m], closed (1: it came back to zero). nan: a cycle has
-        no such value. docs/cyclic.md says what they are."""
+        """Of a push to and fro, by cycle, in SI, what cycles.csv has: cycle (from 1), amplitude, displacement_plus, displacement_minus,
+        residual_plus, residual_minus, half_width, shift [m], force_plus, force_minus [N], energy [J], damping [-], stiffness [N/m],
+        stiffness_share [-], closed (1: it came back to zero), and where the energy went: friction, fracture, crushing, solver, stored,
+        closing (a part of friction) [J]. nan: a cycle has no such value. docs/cyclic.md says what they are.
+
+        >>> pandas.DataFrame(wall.cycles)  # doctest: +SKIP
+        """
         return self._wall.cycles()
 
     @property

@@ -1,4 +1,5 @@
 #include "app/input/study/study.hpp"
+#include "app/output/cycle_columns.hpp"
 #include "app/push/capacity_svg.hpp"
 #include "app/push/capacity_text.hpp"
 #include "app/push/pushed_picture.hpp"
@@ -84,28 +85,16 @@ py::list frames(const WallOfStudy& w)
 /// One array for each number of the cycles; nan: a cycle has none.
 py::dict cycles(const WallOfStudy& w)
 {
-    const auto all = fragility::cycles({w.wall.displacement, w.wall.force});
+    std::vector<dem::Energy> ledger;
+    for (const dem::CurvePoint& p : w.wall.result.curve) ledger.push_back(p.energy);
     py::dict columns;
-    const auto add = [&](const char* name, auto read) {
+    for (const app::CycleColumn& c :
+         app::cycle_columns(fragility::cycles({w.wall.displacement, w.wall.force}), ledger)) {
         std::vector<double> numbers;
-        for (const fragility::Cycle& c : all) {
-            const std::optional<double> value = read(c);
+        for (const std::optional<double>& value : c.values)
             numbers.push_back(value.value_or(std::numeric_limits<double>::quiet_NaN()));
-        }
-        columns[name] = array_of(std::move(numbers));
-    };
-    using Cycle = fragility::Cycle;
-    add("amplitude", [](const Cycle& c) { return fragility::amplitude(c); });
-    add("displacement_plus", [](const Cycle& c) { return c.displacement_plus; });
-    add("displacement_minus", [](const Cycle& c) { return c.displacement_minus; });
-    add("force_plus", [](const Cycle& c) { return c.force_plus; });
-    add("force_minus", [](const Cycle& c) { return c.force_minus; });
-    add("energy", [](const Cycle& c) { return c.energy; });
-    add("damping", [](const Cycle& c) { return fragility::equivalent_damping(c); });
-    add("stiffness", [](const Cycle& c) { return fragility::secant_stiffness(c); });
-    add("residual_plus", [](const Cycle& c) { return c.residual_plus; });
-    add("residual_minus", [](const Cycle& c) { return c.residual_minus; });
-    add("closed", [](const Cycle& c) { return c.closed ? 1.0 : 0.0; });
+        columns[py::str(std::string(c.name))] = array_of(std::move(numbers));
+    }
     return columns;
 }
 

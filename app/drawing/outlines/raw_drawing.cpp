@@ -21,7 +21,7 @@ void state_unit(RawDrawing& drawing, double unit, std::string_view name)
 
 void refuse(const DrawingFrame& frame, int line, std::string_view why)
 {
-    throw ConfigError(frame.file, line, "", why);
+    throw ConfigError(frame.file, line, "", std::string(why) + frame.part);
 }
 
 std::string raw_coordinates(const DrawingFrame& frame, dem::Point at)

@@ -50,6 +50,7 @@ struct DrawingFrame {
     bool unit_given = true;      ///< the user gives the unit, whatever the file states
     bool snap_given = true;      ///< there is a wall.snap that the user can change
     bool close_outlines = false; ///< open outlines of four corners or more
+    std::string part;            ///< of the file that is read, named at the end of refusals
 };
 
 /// Outlines that do not end where they begin, and were read all the same.

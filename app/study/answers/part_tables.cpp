@@ -4,6 +4,7 @@
 #include "app/output/table/table_columns.hpp"
 #include "app/study/answers/mean_cells.hpp"
 #include "app/study/pushed/both_ways.hpp"
+#include "app/study/pushed/pier_reading.hpp"
 #include "app/study/pushed/pier_remark.hpp"
 
 #include <algorithm>
@@ -36,14 +37,21 @@ TableColumn<Of> median_column(Head head, int decimals, double scale, Value value
             }};
 }
 
-TableColumn<PierOfWalls> mode_column(std::string mode, unsigned holds)
+/// @param is whether a mode_text() counts
+template <class Is> TableColumn<PierOfWalls> share_column(Head head, Is is)
 {
-    return {{mode + " [%]", holds}, [mode](const PierOfWalls& r) {
+    return {std::move(head), [is](const PierOfWalls& r) {
                 if (r.walls.empty()) return Number{};
                 const auto with =
-                    static_cast<double>(std::ranges::count(r.walls, mode, &StudyPier::mode));
+                    static_cast<double>(std::ranges::count_if(r.walls, is, &StudyPier::mode));
                 return plain_number(100.0 * with / static_cast<double>(r.walls.size()), 0);
             }};
+}
+
+TableColumn<PierOfWalls> mode_column(const std::string& mode, unsigned holds)
+{
+    return share_column({mode + " [%]", holds},
+                        [mode](std::string_view text) { return text == mode; });
 }
 
 /// Every part at every stress, to the direction of the study and to the other.
@@ -98,8 +106,9 @@ Table study_pier_table(const StudyWalls& study)
     Table t;
     t.title = "Piers";
     t.caption = "Medians over the walls. " + std::string(kPierNumbers) +
-                " Shares of the walls in which it fails so; 'carries little': never 5 % of the "
-                "wall's force, such a pier governs nothing.";
+                " Shares of the walls in which it fails so; 'keeps its shear': it had not come "
+                "down when the push ended; 'carries little': never 5 % of the wall's force, "
+                "such a pier governs nothing.";
     t.keys = 3;
     TableColumns<Of> columns = keys_of<Of>("pier");
     columns.push_back({{"storey", kDetail}, [](const Of& r) { return count(r.part->storey); }});
@@ -110,6 +119,7 @@ Table study_pier_table(const StudyWalls& study)
             median_column<Of>("drift [%]", 2, 100.0, [](Pier p) { return p.drift; }),
             median_column<Of>({"H0/D", kDetail}, 2, 1.0, [](Pier p) { return p.slenderness; }),
             mode_column("rocking", 0), mode_column("sliding", 0), mode_column("mixed", 0),
+            share_column("keeps its shear [%]", is_so_far),
             mode_column("carries little", kDetail), mode_column("stands still", kDetail)});
     fill(t, columns, parts_of(study, study.piers, &StudyWall::piers, &StudyWall::turned_piers));
     return t;

@@ -63,6 +63,7 @@ PierReading read_pier(const PierRules& how, const dem::Pier& pier, const PierFac
     rules.backbone = fragility::Side::right;
     r.own = read({facts.movement, facts.shear, wall.came_down}, facts.mechanism, rules, true);
     r.mode = code_mode(facts.mechanism, r.own.dropped, rules.mode);
+    r.mode_so_far = r.moved && !r.own.dropped;
     std::vector<double> place;
     for (const double u : wall.displacement) place.push_back(how.wall.direction * u);
     for (const fragility::Code& code : how.codes)
@@ -107,13 +108,30 @@ PierBalance balance_of(const dem::Piers& all, const PierHistory& history)
     return b;
 }
 
+constexpr std::string_view kSoFar = " so far";
+
+std::string_view so_far(dem::FailureMode mode)
+{
+    switch (mode) {
+    case dem::FailureMode::rocking:
+        return "rocking so far";
+    case dem::FailureMode::sliding:
+        return "sliding so far";
+    default:
+        return "mixed so far";
+    }
+}
+
 } // namespace
 
 std::string_view mode_text(const PierReading& pier)
 {
     if (!pier.moved) return "stands still";
-    return pier.carries ? name(pier.mode) : "carries little";
+    if (!pier.carries) return "carries little";
+    return pier.mode_so_far ? so_far(pier.mode) : name(pier.mode);
 }
+
+bool is_so_far(std::string_view mode) { return mode.ends_with(kSoFar); }
 
 bool tells_piers(const Study& study)
 {

@@ -37,6 +37,9 @@ struct PierReading {
     /// would hardly lose anything with them.
     bool carries = false;
     dem::FailureMode mode = dem::FailureMode::rocking;
+    /// It has not come down to fragility.ultimate_share of its largest shear: `mode` is that of
+    /// its mechanism so far, and may change.
+    bool mode_so_far = false;
     std::vector<PierCap> caps; ///< of pier_codes(), the same of all piers of a study
     WallReading own; ///< of its shear over its own movement, with limits by its own height
 };
@@ -85,8 +88,11 @@ struct PierRules {
 void read_piers(const Study& study, const dem::PierProbe& probe, const PierHistory& history,
                 PushedWall& wall);
 
-/// "rocking", or that it stands still, or carries nothing to speak of.
+/// "rocking", "rocking so far", or that it stands still, or carries nothing to speak of.
 [[nodiscard]] std::string_view mode_text(const PierReading& pier);
+
+/// Whether mode_text() is that of a pier that kept its shear to the end of the push.
+[[nodiscard]] bool is_so_far(std::string_view mode);
 
 /// Number, from 1, of the pier that reaches the drift limit of a code first, of those that
 /// carry something; 0: none does.

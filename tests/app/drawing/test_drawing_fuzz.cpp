@@ -35,22 +35,29 @@ std::vector<Original> originals()
     const app::DrawingOptions millimetres{.unit = 1e-3};
     const app::Drawing wall =
         scenes::drawing_of("w.json", scenes::json_text(outlines), millimetres);
-    std::string lines, shapes;
+    std::string lines, shapes, insertions;
     for (const scenes::Outline& o : outlines) {
         for (std::size_t k = 0; k < 8; k += 2)
             lines += scenes::dxf_line(o[k], o[k + 1], o[(k + 2) % 8], o[(k + 3) % 8]);
         shapes += "<path d=\"M" + std::to_string(o[0]) + "," + std::to_string(-o[1]) + " H" +
                   std::to_string(o[2]) + " V" + std::to_string(-o[5]) + " H" +
                   std::to_string(o[0]) + " Z\"/>\n";
+        insertions += "0\nINSERT\n8\n0\n2\nS\n10\n" + std::to_string(o[0]) + "\n20\n" +
+                      std::to_string(o[1]) + "\n41\n" + std::to_string(o[2] - o[0]) + "\n";
     }
+    const std::string stone = scenes::lwpolyline(scenes::rectangle(0, 0, 1, 100));
+    const std::string blocks = "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nT\n10\n0\n20\n0\n" + stone +
+                               "0\nENDBLK\n0\nBLOCK\n2\nS\n0\nINSERT\n2\nT\n70\n1\n0\nENDBLK\n"
+                               "0\nENDSEC\n";
     scenes::Pixels picture = scenes::pixels(48, 40);
     for (int row = 0; row < 40; ++row)
         for (int column = 0; column < 48; ++column)
             picture.at(column, row) = column % 16 < 2 || row % 10 < 2 ? 0 : 0xffffff;
     return {{"w.json", scenes::json_text(outlines), millimetres, 700},
             {"w.json", app::write_drawing_json(wall.blocks), {}, 300},
-            {"w.dxf", app::write_drawing_dxf(wall.blocks, 1e-3), millimetres, 600},
-            {"w.dxf", scenes::dxf_text(lines), millimetres, 400},
+            {"w.dxf", app::write_drawing_dxf(wall.blocks, 1e-3), millimetres, 400},
+            {"w.dxf", scenes::dxf_text(lines), millimetres, 300},
+            {"w.dxf", blocks + scenes::dxf_text(insertions), millimetres, 300},
             {"w.svg",
              "<svg viewBox=\"0 0 600 300\"><g transform=\"translate(0 300)\" id=\"a\">\n" +
                  shapes + "</g></svg>",

@@ -286,3 +286,31 @@ TEST_CASE("dxf drawing: a file without a unit of length says what it was read in
                         "one unit was read as 1 mm, and the wall is 0.2 x 0.1 m."));
     CHECK(drawing_of("w.dxf", text, {.unit = 1e-2}).notes.empty());
 }
+
+TEST_CASE("dxf drawing: names of layers are read as people see them", "[app][dxf_drawing]")
+{
+    const auto layer = [](const std::string& name) {
+        return drawing_of("w.dxf", dxf_text(lwpolyline(rectangle(0, 0, 2, 1), true, name)))
+            .blocks.front()
+            .layer;
+    };
+    CHECK(layer("S\\U+00FCd") == "S\u00fcd");
+    CHECK(layer("\\U+77F3\\U+5899") == "\u77f3\u5899");
+    CHECK(layer("\\U+D83E\\U+DDF1") == "\U0001f9f1"); // two units of UTF-16
+    CHECK(layer("S\u00fcd") == "S\u00fcd");           // UTF-8
+    CHECK(layer("S\xfc"
+                "d\x80") == "S\u00fcd\u20ac"); // ANSI_1252
+    // what is no escape stays
+    for (const char* plain :
+         {"a\\U+00F", "\\U+00FG", "\\U00FC", "\\U+D83E", "\\U+DDF1\\U+D83E", "a\\", "50%%d"})
+        CHECK(layer(plain) == plain);
+    // one name, whichever way it is written
+    const std::string tables =
+        "0\nSECTION\n2\nTABLES\n0\nLAYER\n2\nf\\U+00FCr\n70\n1\n62\n7\n0\n"
+        "ENDSEC\n";
+    CHECK(drawing_of("w.dxf",
+                     tables + dxf_text(lwpolyline(rectangle(0, 0, 2, 1)) +
+                                       lwpolyline(rectangle(0, 1, 2, 2), true, "f\xfcr")),
+                     {.unit = 1.0})
+              .blocks.size() == 1);
+}

@@ -3,6 +3,7 @@ set(TEST_APP_PUSH_SOURCES
     app/bad_input/studies.cpp
     app/drawing/drawing_scenes.cpp
     app/push/test_capacity_svg.cpp
+    app/push/test_cycle_parts.cpp
     app/push/test_direction.cpp
     app/push/test_drawn_ends.cpp
     app/push/test_drawn_picture.cpp

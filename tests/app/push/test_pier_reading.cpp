@@ -265,3 +265,31 @@ TEST_CASE(
         CHECK_FALSE(app::movement_at_drop(history_of({-1.0, -5.0}, way), 0, way, 0.8));
     }
 }
+
+TEST_CASE("pier reading: a pier that keeps its shear has a mode so far and no drop",
+          "[app][pier_reading]")
+{
+    app::PierFacts keeps;
+    keeps.movement = {0.0, 1e-3, 2e-3};
+    keeps.shear = {0.0, 10e3, 8.5e3};
+    keeps.most_shear = 10e3;
+    keeps.slenderness = 1.0;
+    keeps.moved = 1.0;
+    keeps.mechanism.rotation_share = 1.0;
+    app::PierFacts falls = keeps, still = keeps, idle = keeps;
+    falls.shear.back() = 7.5e3;
+    still.moved = 0.0;
+    idle.most_shear = 100.0;
+    const dem::Pier pier{{0.0, 0.0, 0.5, 0.5}, 0.25, 1};
+    const std::vector<double> x{0.0, 1e-3, 2e-3}, f{0.0, 40e3, 39e3};
+    const auto read = app::read_piers(app::pier_rules(with(kAlone)), std::vector(4, pier),
+                                      std::vector{keeps, falls, still, idle}, {x, f});
+    CHECK(mode_text(read[0]) == "rocking so far");
+    CHECK(app::is_so_far(mode_text(read[0])));
+    CHECK(is_censored(read[0].own.ultimate));
+    CHECK(read[0].own.ultimate.displacement == 2e-3);
+    CHECK(mode_text(read[1]) == "rocking");
+    CHECK(is_observed(read[1].own.ultimate));
+    CHECK(mode_text(read[2]) == "stands still");
+    CHECK(mode_text(read[3]) == "carries little");
+}

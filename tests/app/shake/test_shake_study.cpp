@@ -252,6 +252,25 @@ TEST_CASE("shake study: a study that grows keeps its walls and goes on", "[app][
     CHECK(same_rows(study.rows("grown.h5"), study.rows("whole.h5")));
 }
 
+TEST_CASE("shake study: a job array also has time for the pushes of its walls", "[app][shake]")
+{
+    const ShakenStudy study;
+    const auto said = [&](const char* push) {
+        app::Command c;
+        c.study = (study.path / "study.ini").string();
+        c.words = {c.study};
+        c.out = (study.path / "array.h5").string();
+        c.script = (study.path / "array.sh").string();
+        c.quiet = true;
+        c.overrides = {std::string("shaking.push=") + push};
+        const scenes::Terminal terminal;
+        CHECK(app::shake_study_command(c) == 0);
+        return terminal.text();
+    };
+    CHECK_THAT(said("yes"), StartsWith("27 histories of ") && Contains(" s, 3 pushes of "));
+    CHECK_THAT(said("no"), StartsWith("27 histories of ") && !Contains("pushes"));
+}
+
 TEST_CASE("shake study: paired walls have one record each", "[app][shake]")
 {
     const ShakenStudy study;

@@ -7,6 +7,7 @@ set(TEST_APP_STUDY_SOURCES
     app/study/test_sample_plan.cpp
     app/study/test_stored_study.cpp
     app/study/test_status_command.cpp
+    app/study/test_slurm_command.cpp
     app/study/test_study_identity.cpp
     app/study/test_study_runner.cpp
     app/study/test_study_stopping.cpp

@@ -1,4 +1,4 @@
-#include "app/drawing/hidden_layers.hpp"
+#include "app/drawing/outlines/hidden_layers.hpp"
 
 namespace app {
 

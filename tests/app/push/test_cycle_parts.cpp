@@ -1,0 +1,80 @@
+#include "app/output/cycle_columns.hpp"
+#include "app/study/pushed/push_walls.hpp"
+#include "dem/block/model.hpp"
+#include "tests/app/study_texts.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+/// A wall that is pushed to and fro until it slides, cracks and crushes.
+app::PushedWall pushed()
+{
+    const app::Study study = study_texts::read(
+        study_texts::kSmallWall,
+        {"wall.unit_cracks=yes", "unit.tensile_strength=0.2 MPa", "unit.fracture_energy=10 N/m",
+         "joint.friction_angle=35 deg", "joint.compressive_strength=3 MPa",
+         "joint.crushing_energy=2000 N/m", "load.vertical_stress=0.5 MPa",
+         "load.amplitudes=1, 4 mm", "solver.fidelity=simple", "output.record_every=0.02 mm"});
+    const dem::Model model = app::model_of(app::prepare(study));
+    app::PushedWall wall;
+    app::PushList list;
+    list.size = 1;
+    list.wall = [](std::size_t) { return app::WantedWall{}; };
+    list.done = [&](std::size_t, const app::WallDraw&, app::PushedWall&& w) {
+        wall = std::move(w);
+    };
+    app::push_walls(study, model, app::push_plan(study), list, 1);
+    return wall;
+}
+
+/// The energy that drive, weight and vertical load have put in where a cycle begins or ends
+/// [J]. The area of the loop is less: the load sinks as the wall crushes.
+double at(const std::vector<dem::Energy>& ledger, std::size_t point, double share)
+{
+    const auto put_in = [&](std::size_t k) { return ledger.at(k).work + ledger.at(k).lifted; };
+    return share == 0.0 ? put_in(point)
+                        : put_in(point) + share * (put_in(point + 1) - put_in(point));
+}
+
+} // namespace
+
+TEST_CASE("cycle parts: the work of the drive is all there, and no part of it can be missing",
+          "[app][cyclic]")
+{
+    const app::PushedWall wall = pushed();
+    std::vector<dem::Energy> ledger;
+    for (const dem::CurvePoint& p : wall.result.curve) ledger.push_back(p.energy);
+    const auto cycles = fragility::cycles({wall.displacement, wall.force});
+    REQUIRE(cycles.size() == 2);
+    std::map<std::string, std::vector<double>, std::less<>> parts;
+    for (const app::CycleColumn& c : app::cycle_columns(cycles, ledger))
+        if (c.unit == "J" && c.name != "energy" && c.name != "closing")
+            for (const auto& v : c.values) parts[std::string(c.name)].push_back(v.value());
+    CHECK(parts.size() == 5);
+    std::map<std::string, double, std::less<>> largest; // share of the energy that passes
+    constexpr double kMargin = 1e-4;                    // the ledger misses a half of it
+    for (std::size_t i = 0; i < cycles.size(); ++i) {
+        const fragility::Cycle& c = cycles[i];
+        const double through = 2.0 * fragility::amplitude(c) * (c.force_plus - c.force_minus);
+        double sum = 0.0;
+        for (const auto& [name, values] : parts) {
+            sum += values[i];
+            largest[name] = std::max(largest[name], std::abs(values[i]) / through);
+        }
+        const double put_in =
+            at(ledger, c.end, c.end_share) - at(ledger, c.begin, c.begin_share);
+        CHECK(sum == Approx(put_in).margin(kMargin * through));
+    }
+    for (const auto& [name, share] : largest) {
+        INFO(name);
+        CHECK(share > 5.0 * kMargin);
+    }
+}
