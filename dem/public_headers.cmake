@@ -11,6 +11,7 @@ set(DEM_PUBLIC_HEADERS
     scene/drawn_layout.hpp
     scene/layout.hpp
     scene/mechanism/mechanism.hpp
+    scene/mechanism/points_excess.hpp
     scene/paper_materials.hpp
     scene/geometry/polygon.hpp
     scene/mechanism/quality_terms.hpp

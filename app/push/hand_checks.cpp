@@ -3,6 +3,7 @@
 #include "app/input/wall/wall_geometry.hpp"
 #include "app/push/pier_table.hpp"
 #include "app/study/answers/limit_choices.hpp"
+#include "app/study/answers/points_error.hpp"
 #include "app/study/answers/solver_error.hpp"
 #include "app/study/pushed/both_ways.hpp"
 #include "app/study/pushed/pier_remark.hpp"
@@ -120,6 +121,17 @@ void add_inaccurate(const Study& study, const PushedWall& w, std::vector<std::st
                           " asked for (solver.accuracy); a smaller one slows it");
 }
 
+/// Faces that rock have few contact points under pressure.
+void add_few_points(const Study& study, const PushedWall& w, std::vector<std::string>& remarks)
+{
+    const double error = points_error(w.result);
+    if (error > study.solver.accuracy)
+        remarks.push_back("the force may be wrong by " + error_text(error) +
+                          " of the peak because of the few contact points on faces that rock, "
+                          "which the solver error leaves out; write a larger "
+                          "solver.contact_points");
+}
+
 /// A wall of stiff joints may have its peak, and lose it, between two recorded points.
 void add_coarse_peak(const PushedWall& w, std::vector<std::string>& remarks)
 {
@@ -214,6 +226,7 @@ HandChecks hand_checks(const Study& study, const dem::Layout& layout, const Push
     if (w.piers.empty()) add(pier_remark(study), h.remarks);
     for (std::string& remark : piers_remarks(study, w)) add(std::move(remark), h.remarks);
     add_inaccurate(study, w, h.remarks);
+    add_few_points(study, w, h.remarks);
     add_coarse_peak(w, h.remarks);
     add_slid_off(study, w, h.remarks);
     add_sliding_beam(study, w, h.remarks);

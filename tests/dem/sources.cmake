@@ -41,6 +41,7 @@ set(TEST_DEM_UNIT_SOURCES
     dem/solver/test_finite_wall.cpp
     dem/kinematics/test_overlap.cpp
     dem/contact/test_own_matrix.cpp
+    dem/scene/test_points_excess.cpp
     dem/scene/test_polygon.cpp
     dem/scene/test_quality_terms.cpp
     dem/solver/test_recorder.cpp

@@ -2,6 +2,7 @@
 
 #include "app/input/wall/wall_geometry.hpp"
 #include "app/push/hand_checks.hpp"
+#include "app/study/answers/points_error.hpp"
 #include "app/study/other_way.hpp"
 #include "app/study_texts.hpp"
 
@@ -148,4 +149,43 @@ TEST_CASE("hand checks: a wall that stood only in a slow start is said to be nea
     CHECK_THAT(remarks(w), Catch::Contains("put on as always"));
     w.result.settled = false; // it may be coming down
     CHECK_THAT(remarks(w), !Catch::Contains("put on as always"));
+}
+
+TEST_CASE(
+    "hand checks: a wall that rocks on few contact points is said to be uncertain, by what "
+    "it was at its peak or at the drop, and not by how it came down",
+    "[app][hand_checks]")
+{
+    app::PushedWall w = pushed(10e3);
+    CHECK_THAT(remarks(w), !Catch::Contains("contact points"));
+    dem::FaceState rocks; // two points, the whole thrust of 1 MN at one end
+    rocks.normal = rocks.acting = {0.0, 1.0};
+    rocks.contacts.resize(2);
+    rocks.contacts[0] = {{0.0, 0.0}, 0.1, -1e-4, 0.0, -1e7};
+    rocks.contacts[1] = {{1.0, 0.0}, 0.1, 9.9e-3};
+    dem::Snapshot tilted;
+    tilted.displacement = 0.01;
+    tilted.force = 10e3;
+    tilted.faces = {rocks};
+    dem::Snapshot upright = tilted;
+    upright.faces[0].contacts[1] = rocks.contacts[0];
+    upright.faces[0].contacts[1].at.x = 1.0;
+
+    dem::PushResult r;
+    r.at_peak = r.at_end = upright;
+    CHECK(app::points_error(r) == 0.0);
+    r.at_end = tilted;
+    // N (c/3) theta/u over the force: springs along the face close over c = 0.1 m.
+    const Approx most = Approx(1e6 * (0.1 / 3) / 10e3).epsilon(1e-9);
+    CHECK(app::points_error(r) == most);
+    r.at_drop = upright;
+    CHECK(app::points_error(r) == 0.0);
+    r.at_drop.reset();
+    r.outcome = dem::Outcome::lost_equilibrium;
+    CHECK(app::points_error(r) == 0.0);
+    r.at_peak = tilted;
+    CHECK(app::points_error(r) == most);
+
+    w.result.at_peak = tilted;
+    CHECK_THAT(remarks(w), Catch::Contains("contact points"));
 }

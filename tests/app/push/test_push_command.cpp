@@ -64,7 +64,7 @@ TEST_CASE(
     for (const char* key :
          {"peak_force_kN", "peak_displacement_mm", "ultimate_displacement_mm",
           "ultimate_censored", "mode", "energy_residual", "solver_error_percent",
-          "solver_seconds", "contact_updates_per_second"})
+          "points_error_percent", "solver_seconds", "contact_updates_per_second"})
         CHECK_FALSE(s.at(key).is_null());
     CHECK(s["vertical_stress_MPa"] == 0.5);
     CHECK(s["study"] == read_text(folder.path / "out" / "study.ini"));
@@ -259,6 +259,8 @@ TEST_CASE("push command: limit states are in tables, with what governs", "[app][
     CHECK(w.terminal.starts_with("stress [MPa]"));
     CHECK(w.terminal.find("energy residual") == std::string::npos); // in summary.json
     CHECK(w.terminal.find("\nsolver error of the peak force: ") != std::string::npos);
+    CHECK(w.terminal.find("\nerror of the force by the number of contact points: ") !=
+          std::string::npos);
     CHECK(w.terminal.find("\n\n") ==
           w.terminal.rfind("\n\n")); // two tables, none in two blocks
     const auto results = summary(folder.path / "out");
