@@ -23,16 +23,16 @@ struct Gap {
 };
 
 /// Closure along a face.
-struct Closure {
+struct ClosedPart {
     double area = 0.0;  ///< integral of the closure [m2], <= 0
     double first = 0.0; ///< the same times the place [m3]
     [[nodiscard]] double centre() const { return first / area; }
 };
 
 /// Closure of a gap that is wider by `more`.
-Closure closure_of(const Gap& gap, double more)
+ClosedPart closure_of(const Gap& gap, double more)
 {
-    Closure sum;
+    ClosedPart sum;
     for (std::size_t i = 0; i + 1 < gap.at.size(); ++i) {
         double a = gap.at[i], b = gap.at[i + 1], ga = gap.wide[i] + more,
                gb = gap.wide[i + 1] + more;
@@ -52,10 +52,10 @@ Closure closure_of(const Gap& gap, double more)
 }
 
 /// The closure along the face that has the area of the points' own, the gap shifted as a whole.
-Closure closure_with(const Gap& gap, double area)
+ClosedPart closure_with(const Gap& gap, double area)
 {
     const auto [least, most] = std::ranges::minmax(gap.wide);
-    double tight = -most + least, loose = -least; // with and without enough closure
+    double tight = 2.0 * least - most, loose = -least; // with and without enough closure
     while (closure_of(gap, tight).area > area) tight *= 2.0;
     for (int i = 0; i < 60; ++i) {
         const double middle = 0.5 * (tight + loose);
@@ -106,7 +106,7 @@ double excess_moment(const FaceState& face)
     const double length = gap.at.back();
     if (!(closed < 0.0) || !(length > 0.0)) return 0.0;
     thrust *= std::hypot(face.acting.x, face.acting.z); // the share that is in contact
-    const Closure along = closure_with(gap, closed * length / area);
+    const ClosedPart along = closure_with(gap, closed * length / area);
     return thrust * (along.centre() - first / closed);
 }
 
