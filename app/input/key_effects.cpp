@@ -47,8 +47,9 @@ std::string effect_notes(const Study& study, const Verb& verb)
 void refuse_drawn(const Study& study)
 {
     if (!study.uq.drawn.empty())
-        throw error_at(study.source, "uq.drawn",
-                       "names one wall of the study, and only push reads it; remove it");
+        throw error_at(
+            study.source, "uq.drawn",
+            "names one wall of the study, and only push and sheet read it; remove it");
 }
 
 namespace {

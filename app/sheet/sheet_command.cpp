@@ -171,7 +171,7 @@ std::vector<SheetLimit> limits_of(const Study& study, const PushedWall& w,
 std::vector<WantedWall> mean_wall(const StudySource& source, const Command& command)
 {
     const Study& study = source.ready.study;
-    const bool mean = !study.random.empty() || has_layouts(study);
+    const bool mean = study.uq.drawn.empty() && (!study.random.empty() || has_layouts(study));
     if (study.uq.drawn.empty())
         static_cast<void>(level_of(study, command.level)); // one wall alone
     return wanted_walls(source, {command.sample, command.mean_wall || mean, command.level});

@@ -186,9 +186,9 @@ constexpr std::array kRandomKeys = {
         .derived = {"none"},
         .meaning = "empirical(...) inputs, between commas, whose values stand row by row: value k of each belongs to draw k, as the posterior of calibrate",
         .field = kAt<&Study::uq, &UqInput::together>},
-    Key{.name = "uq.drawn", .kind = Kind::text, .used = kWithRandomAlone, .verbs = "push",
+    Key{.name = "uq.drawn", .kind = Kind::text, .used = kWithRandomAlone, .verbs = "push sheet",
         .derived = {"none"},
-        .meaning = "one wall of the study, as push --sample writes it into study.ini: 0.5 MPa; joint.friction_angle = 25.8 deg; ...",
+        .meaning = "one wall of the study, as a push of it writes it into study.ini: 0.5 MPa; joint.friction_angle = 25.8 deg; ...",
         .field = kAt<&Study::uq, &UqInput::drawn>},
 
     Key{.name = "reliability.method", .kind = Kind::word, .names = kMethods,

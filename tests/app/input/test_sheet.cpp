@@ -160,6 +160,15 @@ TEST_CASE("sheet: a page of a wall has every part, and texts obey nothing", "[ap
     CHECK(scenes::read_text(out) == page);
 }
 
+TEST_CASE("sheet: the study that a push of mean values leaves gives a page", "[app][sheet]")
+{
+    const scenes::TemporaryFolder folder;
+    const fs::path left = folder.path / "a.ini";
+    std::ofstream(left) << kWall << "[uq]\ndrawn = 0.5 MPa; mean\n";
+    REQUIRE(sheet_of(left, folder.path / "a.html") == 0);
+    CHECK(count(scenes::read_text(folder.path / "a.html"), "</html>") == 1);
+}
+
 TEST_CASE("sheet: files of others stay", "[app][sheet]")
 {
     const scenes::TemporaryFolder folder;
