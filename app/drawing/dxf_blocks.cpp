@@ -68,8 +68,9 @@ const DxfBlock& block_of(const DxfContent& content, const DxfEntity& insert,
     }
     if (names.size() >= kDeepestInsertion) {
         refuse(frame, insert.line,
-               inserted_at(content, insert, name) +
-                   ", more than 64 insertions deep; explode the drawing (EXPLODE)");
+               inserted_at(content, insert, name) + ", more than " +
+                   std::to_string(kDeepestInsertion) +
+                   " insertions deep; explode the drawing (EXPLODE)");
     }
     return known->second;
 }

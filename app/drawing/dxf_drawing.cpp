@@ -60,41 +60,22 @@ void read_header(DxfContent& content, DxfGroups& groups)
     }
 }
 
-/// Reads to the end of the section TABLES, for the layers that are off or frozen.
-void read_tables(DxfContent& content, DxfGroups& groups)
+/// Keeps an entry that what is drawn depends on, of the sections TABLES, BLOCKS and OBJECTS: a
+/// layer that is off or frozen, a block, a clip boundary of an inserted block.
+void read_entry(DxfContent& content, const DxfGroup& head, DxfGroups& groups)
 {
-    while (const std::optional<DxfGroup> head = groups.next()) {
-        if (head->code != 0) continue;
-        if (head->value == "ENDSEC") return;
-        if (head->value == "LAYER") add_layer(content, read_entity(groups, *head));
-        if (head->value == "EOF" || head->value == "SECTION") {
-            groups.step_back();
-            return;
-        }
-    }
+    if (head.value == "LAYER") add_layer(content, read_entity(groups, head));
+    if (head.value == "BLOCK") add_block(content, read_entity(groups, head), groups);
+    if (head.value == "SPATIAL_FILTER") ++content.blocks.clipped;
 }
 
-/// Reads to the end of the section BLOCKS.
-void read_blocks(DxfContent& content, DxfGroups& groups)
+/// Reads to the end of such a section.
+void read_section(DxfContent& content, DxfGroups& groups)
 {
     while (const std::optional<DxfGroup> head = groups.next()) {
         if (head->code != 0) continue;
         if (head->value == "ENDSEC") return;
-        if (head->value == "BLOCK") add_block(content, read_entity(groups, *head), groups);
-        if (head->value == "EOF" || head->value == "SECTION") {
-            groups.step_back();
-            return;
-        }
-    }
-}
-
-/// Reads to the end of the section OBJECTS, for the clip boundaries of inserted blocks.
-void read_objects(DxfContent& content, DxfGroups& groups)
-{
-    while (const std::optional<DxfGroup> head = groups.next()) {
-        if (head->code != 0) continue;
-        if (head->value == "ENDSEC") return;
-        if (head->value == "SPATIAL_FILTER") ++content.blocks.clipped;
+        read_entry(content, *head, groups);
         if (head->value == "EOF" || head->value == "SECTION") {
             groups.step_back();
             return;
@@ -137,9 +118,9 @@ RawDrawing read_dxf(const DrawingFrame& frame, std::string_view bytes, double sn
         } else if (group->code == 2 && begins_section) {
             begins_section = false;
             if (group->value == "HEADER") read_header(content, groups);
-            if (group->value == "TABLES") read_tables(content, groups);
-            if (group->value == "BLOCKS") read_blocks(content, groups);
-            if (group->value == "OBJECTS") read_objects(content, groups);
+            if (group->value == "TABLES" || group->value == "BLOCKS" ||
+                group->value == "OBJECTS")
+                read_section(content, groups);
             if (group->value == "ENTITIES") {
                 read_entities(content, groups);
                 has_entities = true;

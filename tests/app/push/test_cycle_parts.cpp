@@ -1,6 +1,5 @@
 #include "app/output/cycle_columns.hpp"
-#include "app/study/pushed/push_walls.hpp"
-#include "dem/block/model.hpp"
+#include "tests/app/push_scenes.hpp"
 #include "tests/app/study_texts.hpp"
 
 #include <catch2/catch.hpp>
@@ -9,7 +8,6 @@
 #include <cmath>
 #include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace {
@@ -17,22 +15,12 @@ namespace {
 /// A wall that is pushed to and fro until it slides, cracks and crushes.
 app::PushedWall pushed()
 {
-    const app::Study study = study_texts::read(
+    return scenes::pushed(study_texts::read(
         study_texts::kSmallWall,
         {"wall.unit_cracks=yes", "unit.tensile_strength=0.2 MPa", "unit.fracture_energy=10 N/m",
          "joint.friction_angle=35 deg", "joint.compressive_strength=3 MPa",
          "joint.crushing_energy=2000 N/m", "load.vertical_stress=0.5 MPa",
-         "load.amplitudes=1, 4 mm", "solver.fidelity=simple", "output.record_every=0.02 mm"});
-    const dem::Model model = app::model_of(app::prepare(study));
-    app::PushedWall wall;
-    app::PushList list;
-    list.size = 1;
-    list.wall = [](std::size_t) { return app::WantedWall{}; };
-    list.done = [&](std::size_t, const app::WallDraw&, app::PushedWall&& w) {
-        wall = std::move(w);
-    };
-    app::push_walls(study, model, app::push_plan(study), list, 1);
-    return wall;
+         "load.amplitudes=1, 4 mm", "solver.fidelity=simple", "output.record_every=0.02 mm"}));
 }
 
 /// The energy that drive, weight and vertical load have put in where a cycle begins or ends

@@ -8,7 +8,7 @@
 #include "app/study/other_way.hpp"
 #include "app/study/pushed/push_walls.hpp"
 #include "app/study/stored/study_identity.hpp"
-#include "dem/block/model.hpp"
+#include "tests/app/push_scenes.hpp"
 #include "tests/app/study_texts.hpp"
 
 #include <catch2/catch.hpp>
@@ -21,26 +21,12 @@
 namespace {
 
 using Overrides = std::vector<std::string>;
+using scenes::pushed;
 
 app::Study with(Overrides overrides, const Overrides& more)
 {
     overrides.insert(overrides.end(), more.begin(), more.end());
     return study_texts::read(study_texts::kSmallWall, overrides);
-}
-
-/// The wall of the means.
-app::PushedWall pushed(const app::Study& study)
-{
-    const dem::Model model = app::model_of(app::prepare(study));
-    app::PushedWall wall;
-    app::PushList list;
-    list.size = 1;
-    list.wall = [](std::size_t) { return app::WantedWall{}; };
-    list.done = [&](std::size_t, const app::WallDraw&, app::PushedWall&& w) {
-        wall = std::move(w);
-    };
-    app::push_walls(study, model, app::push_plan(study), list, 1);
-    return wall;
 }
 
 const Overrides kDoor = {"wall.openings=0.10 m, 0 m, 0.10 m, 0.20 m"},

@@ -5,8 +5,8 @@
 #include "app/input/wall/wall_geometry.hpp"
 #include "app/study/pushed/push_walls.hpp"
 #include "app/study/pushed/wall_openings.hpp"
-#include "dem/block/model.hpp"
 #include "dem/scene/geometry/polygon.hpp"
+#include "tests/app/push_scenes.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -70,17 +70,9 @@ struct Pushed {
 
 Pushed pushed(const Study& study)
 {
-    const dem::Model model = app::model_of(app::prepare(study));
     dem::PushPlan plan = app::push_plan(study);
     plan.snapshot_every = plan.record_every; // handed on by those who watch the piers
-    Pushed p;
-    app::PushList list;
-    list.size = 1;
-    list.wall = [](std::size_t) { return app::WantedWall{}; };
-    list.done = [&](std::size_t, const app::WallDraw&, app::PushedWall&& w) {
-        p.wall = std::move(w);
-    };
-    app::push_walls(study, model, plan, list, 1);
+    Pushed p{scenes::pushed(study, plan), {}};
     p.shots = p.wall.result.snapshots;
     return p;
 }

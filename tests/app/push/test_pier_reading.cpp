@@ -8,6 +8,7 @@
 #include "app/study/pushed/push_walls.hpp"
 #include "app/study/pushed/wall_openings.hpp"
 #include "dem/block/model.hpp"
+#include "tests/app/push_scenes.hpp"
 #include "tests/app/study_texts.hpp"
 
 #include <catch2/catch.hpp>
@@ -58,17 +59,9 @@ app::Study with(Overrides overrides, const Overrides& more = {})
 /// @param shots takes a snapshot at every point of the curve
 app::PushedWall pushed(const app::Study& study, std::vector<dem::Snapshot>* shots = nullptr)
 {
-    const dem::Model model = app::model_of(app::prepare(study));
     dem::PushPlan plan = app::push_plan(study);
     plan.snapshot_every = shots == nullptr ? 0.0 : plan.record_every;
-    app::PushedWall wall;
-    app::PushList list;
-    list.size = 1;
-    list.wall = [](std::size_t) { return app::WantedWall{}; };
-    list.done = [&](std::size_t, const app::WallDraw&, app::PushedWall&& w) {
-        wall = std::move(w);
-    };
-    app::push_walls(study, model, plan, list, 1);
+    app::PushedWall wall = scenes::pushed(study, plan);
     if (shots != nullptr) *shots = wall.result.snapshots;
     return wall;
 }
