@@ -49,7 +49,8 @@ TableColumns<Wall> columns_of(const StudyWalls& study)
     append(all, {number_of(study, wall_number("cracked_units")),
                  number_of(study, wall_number("rotation_share")),
                  number_of(study, wall_number("sliding_share")),
-                 number_of(study, wall_number("solver_error"))});
+                 number_of(study, wall_number("solver_error")),
+                 number_of(study, wall_number("points_error"))});
     for (std::size_t i = 0; i < study.inputs.size(); ++i) {
         const StoredInput& input = study.inputs[i];
         all.push_back({(input.count > 1 ? "mean " : "") + input.key + " [" + input.unit + "]",

@@ -45,7 +45,8 @@ MeanPeak mean_peak(const StudyWalls& study, const StudyLevel& level)
 
 Number percent_cell(double share) { return plain_number(100.0 * share, 2); }
 
-std::string note_of(const StudyWalls& study, const SolverErrors& e, const AuditDifferences& d)
+std::string note_of(const StudyWalls& study, const WallErrors& e, const WallErrors& points,
+                    const AuditDifferences& d)
 {
     constexpr std::size_t kNamed = 20;
     std::string text;
@@ -55,6 +56,9 @@ std::string note_of(const StudyWalls& study, const SolverErrors& e, const AuditD
     if (!e.above.empty())
         add("Inaccurate: " + named(study, e.above, kNamed) +
             (e.above.size() > kNamed ? ", ..." : "") + ".");
+    if (!points.above.empty())
+        add("Too few contact points: " + named(study, points.above, kNamed) +
+            (points.above.size() > kNamed ? ", ..." : "") + ".");
     if (e.unknown > 0)
         add("Not known of " + counted(e.unknown, "wall", "walls") +
             ", pushed by an earlier version of the program.");
@@ -72,7 +76,8 @@ std::string note_of(const StudyWalls& study, const SolverErrors& e, const AuditD
 
 void add_level(const StudyWalls& study, const StudyLevel& level, Table& t)
 {
-    const SolverErrors e = solver_errors(level, study.study);
+    const WallErrors e = wall_errors(level, &StudyWall::solver_error, study.study),
+                     points = wall_errors(level, &StudyWall::points_error, study.study);
     const AuditDifferences d = audit_differences(level);
     const MeanPeak m = mean_peak(study, level);
     const core::Interval& sampling = m.mean.interval;
@@ -85,8 +90,9 @@ void add_level(const StudyWalls& study, const StudyLevel& level, Table& t)
          percent_cell(0.5 * (sampling.upper - sampling.lower) / m.mean.value),
          percent_cell(m.is_known ? m.solver / m.mean.value : kUnknown), count(d.checked),
          percent_cell(median_error(d.peak)), percent_cell(upper_error(d.peak)),
-         percent_cell(median_error(d.ultimate)), percent_cell(upper_error(d.ultimate))},
-        note_of(study, e, d));
+         percent_cell(median_error(d.ultimate)), percent_cell(upper_error(d.ultimate)),
+         percent_cell(median_error(points.known)), percent_cell(upper_error(points.known))},
+        note_of(study, e, points, d));
 }
 
 } // namespace
@@ -112,6 +118,8 @@ Table solver_error_table(const StudyWalls& walls)
               "peak, 95 % below [%]",
               {"ultimate, median [%]", kDetail},
               "ultimate, 95 % below [%]",
+              {"contact points, median [%]", kDetail},
+              "contact points, 95 % below [%]",
               {"note", kNote}};
     for (const StudyLevel& level : walls.levels) add_level(walls, level, t);
     return t;

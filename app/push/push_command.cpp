@@ -28,7 +28,7 @@
 #include "app/push/pushed_series.hpp"
 #include "app/push/summary_json.hpp"
 #include "app/push/test_curve.hpp"
-#include "app/study/answers/points_error.hpp"
+#include "app/study/pushed/points_error.hpp"
 #include "app/study/answers/solver_error.hpp"
 #include "app/study/other_way.hpp"
 #include "app/study/pushed/drawn_wall.hpp"

@@ -6,7 +6,6 @@
 #include "app/program_version.hpp"
 #include "app/push/hand_checks.hpp"
 #include "app/study/answers/mode_rule.hpp"
-#include "app/study/answers/points_error.hpp"
 #include "app/study/pushed/both_ways.hpp"
 #include "app/text/json_text.hpp"
 #include "app/text/number_text.hpp"
@@ -242,7 +241,7 @@ std::string summary_json(const Study& study, const dem::Layout& layout, const Pu
     j["hand_checks"] = checks(hand_checks(study, layout, w));
     j["energy_residual"] = or_null(value(wall_number("energy_residual"), source));
     add_number(wall_number("solver_error"), source, j);
-    j["points_error_percent"] = or_null(100.0 * points_error(w.result));
+    add_number(wall_number("points_error"), source, j);
     j["energy"] = energy_json(w.result.energy);
     j["settled_before_push"] = w.result.settled;
     add_numbers(source, j, wall_number("step_fraction"), wall_number("step_reductions"),

@@ -24,6 +24,7 @@ struct WallSource {
     double height; ///< of the load line [m], > 0
     const dem::Mechanism& mechanism;
     double solver_error = kNoNumber;         ///< [-]
+    double points_error = kNoNumber;         ///< [-]
     double last_displacement = kNoNumber;    ///< of the curve [m]
     const dem::PushResult* result = nullptr; ///< null: the wall comes from a file
 
@@ -128,6 +129,7 @@ inline constexpr std::array kWallNumbers = {
     fact_of("energy_residual", kPercent, 4, "largest share of the work that the ledger misses, anywhere",
         [](const WallSource& w) { return w.run().outcome == dem::Outcome::not_finite ? kNoNumber : w.run().residual; }),
     fact_of("solver_error", kPercent, 2, "estimated error of the peak force by the speed of the drive", [](const WallSource& w) { return w.solver_error; }),
+    fact_of("points_error", kPercent, 2, "estimated error of the force by the number of contact points, over the peak: the larger of that at the peak and that later", [](const WallSource& w) { return w.points_error; }),
     fact_of("step_fraction", kNoUnit, 2, "step used, of the proven stable one", [](const WallSource& w) { return w.run().step_fraction; }),
     count_fact("outcome", Kept::as_count, "", [](const WallSource& w) { return static_cast<double>(w.run().outcome); }),
     count_fact("cracked_units", Kept::as_count, "units cracked through", [](const WallSource& w) { return double(w.mechanism.cracked_units); }),

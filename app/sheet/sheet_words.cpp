@@ -11,6 +11,7 @@
 #include "app/study/answers/pier_shares.hpp"
 #include "app/study/pushed/both_ways.hpp"
 #include "app/study/pushed/pier_remark.hpp"
+#include "app/study/pushed/points_error.hpp"
 #include "app/text/number_text.hpp"
 #include "app/text/words.hpp"
 #include "fragility/curve/drift.hpp"
@@ -18,12 +19,22 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <string_view>
 
 namespace app {
 namespace {
 
 std::string kilonewtons(double force) { return never_rounded_away(force * 1e-3, 1) + " kN"; }
+
+/// " and by 0.24 % by the number of contact points"; empty where that is not known.
+std::string points_part(const PushedWall& wall)
+{
+    const double error = points_error(wall.result);
+    if (!std::isfinite(error)) return {};
+    return " and by " + never_rounded_away(100.0 * error, 2) +
+           " % by the number of contact points";
+}
 
 std::string millimetres(double distance) { return fixed(distance * 1e3, 1) + " mm"; }
 
@@ -231,7 +242,8 @@ std::vector<std::string> certainty_sentences(const Study& study, const PushedWal
         std::string(has_mortar(study) ? "; no wall with mortar was compared" : ""));
     if (wall.result.curve.size() > 1)
         add("The calculation itself errs by about " +
-            never_rounded_away(100.0 * solver_error(wall), 2) + " % in the force");
+            never_rounded_away(100.0 * solver_error(wall), 2) +
+            " % in the force by the speed of the push" + points_part(wall));
     return all;
 }
 

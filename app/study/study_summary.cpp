@@ -39,7 +39,7 @@ Row cells(const StudyLevel& level, const Study& study, const std::vector<int>& m
     Row row = {stress_cell(level.stress), count(n), count(level.failed_walls.size()),
                mean_cell(peaks, 1, 1e-3), cov_cell(peaks)};
     for (const int mode : modes) row.emplace_back(share(mode));
-    const SolverErrors errors = solver_errors(level, study);
+    const WallErrors errors = wall_errors(level, &StudyWall::solver_error, study);
     return joined(row, {median_cell(ultimate, confidence, 1), count(ultimate.size() - censored),
                         count(censored), plain_number(100.0 * median_error(errors.known), 2),
                         plain_number(100.0 * upper_error(errors.known), 2),

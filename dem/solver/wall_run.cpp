@@ -187,8 +187,7 @@ template <class Real> void WallRun::set_moving(WallState<Real>& state, int lane)
 template <class Real> Energy WallRun::energy(const WallState<Real>& state, int lane) const
 {
     Energy e = energy_of(task_->tables, state, lane);
-    if (!drive_.settling())
-        e.lifted = std::max(0.0, drive_work_ - (e.work - work_before_push_));
+    if (!drive_.settling()) e.lifted = drive_work_ - (e.work - work_before_push_);
     return e;
 }
 

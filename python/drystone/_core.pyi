@@ -27,6 +27,7 @@ class Wall:
     height: float
     failed: bool
     solver_error: float
+    points_error: float
     displacement: numpy.ndarray
     force: numpy.ndarray
     def capacity_csv(self) -> str: ...

@@ -105,8 +105,13 @@ class Results:
         return self.responses.get("solver_error", numpy.full(len(self), numpy.nan))
 
     @property
+    def points_error(self) -> numpy.ndarray:
+        """Estimated error of the force of each wall by the number of contact points, over its peak force [-]; nan as above."""
+        return self.responses.get("points_error", numpy.full(len(self), numpy.nan))
+
+    @property
     def solver_error_text(self) -> str:
-        """What `drystone study` says of these errors, and of the audit."""
+        """What `drystone study` says of both errors, and of the audit."""
         return _core.read_audit(self.path, self._stamp)[1]
 
     @property

@@ -97,6 +97,11 @@ class Push:
         return self._wall.solver_error
 
     @property
+    def points_error(self) -> float:
+        """Estimated error of the force by the number of contact points, over the peak force [-]; nan where the run failed."""
+        return self._wall.points_error
+
+    @property
     def summary(self) -> dict[str, Any]:
         """What summary.json of the command line holds: peak_force_kN, ultimate_displacement_mm, mode, ... What is not
         defined on this wall is None."""

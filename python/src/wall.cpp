@@ -5,6 +5,7 @@
 #include "app/push/pushed_picture.hpp"
 #include "app/push/summary_json.hpp"
 #include "app/study/pushed/drawn_wall.hpp"
+#include "app/study/pushed/points_error.hpp"
 #include "app/study/pushed/wall_frames.hpp"
 #include "fragility/curve/cyclic_curve.hpp"
 #include "python/src/arrays.hpp"
@@ -131,6 +132,9 @@ void bind_wall(py::module_& m)
             "failed", [](const WallOfStudy& w) { return dem::failed(w.wall.result.outcome); })
         .def_property_readonly("solver_error",
                                [](const WallOfStudy& w) { return app::solver_error(w.wall); })
+        .def_property_readonly(
+            "points_error",
+            [](const WallOfStudy& w) { return app::points_error(w.wall.result); })
         .def_property_readonly("displacement",
                                [](const py::object& self) {
                                    return view(

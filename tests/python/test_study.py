@@ -77,6 +77,9 @@ class StudyIsThatOfTheCommandLine(InFolder):
         self.assertEqual(seen[-1], (3, 0, 3))
         self.same(results.solver_error, results.responses["solver_error"])
         self.assertTrue((results.solver_error >= 0).all())
+        self.same(results.points_error, results.responses["points_error"])
+        self.assertTrue((results.points_error > 0).all())
+        self.assertIn("Error by the number of contact points: median", results.solver_error_text)
         self.assertEqual(list(results.audit["level"]), [0, 1, 2])
         self.assertEqual(list(results.audit["sample"]), [0, 0, 0])
         self.assertTrue((results.audit["peak_force"] < 0.5).all())
@@ -85,6 +88,7 @@ class StudyIsThatOfTheCommandLine(InFolder):
         self.assertEqual(len(results.curves), 6)
         wall, = study.push([1], level=2)
         self.assertEqual(wall.solver_error, results.solver_error[5])
+        self.assertEqual(wall.points_error, results.points_error[5])
         self.assertEqual(wall.summary["solver_error_percent"], as_written(100 * wall.solver_error))
 
     def test_both_ways(self):

@@ -19,11 +19,11 @@ void append_errors(std::vector<double>& all, const std::vector<double>& more)
     all.insert(all.end(), more.begin(), more.end());
 }
 
-SolverErrors all_errors(const StudyWalls& walls)
+WallErrors all_errors(const StudyWalls& walls, double StudyWall::*error)
 {
-    SolverErrors all;
+    WallErrors all;
     for (const StudyLevel& level : walls.levels) {
-        const SolverErrors e = solver_errors(level, walls.study);
+        const WallErrors e = wall_errors(level, error, walls.study);
         append_errors(all.known, e.known);
         all.unknown += e.unknown;
         all.above.insert(all.above.end(), e.above.begin(), e.above.end());
@@ -57,15 +57,13 @@ std::string upper_words(const std::vector<double>& sorted)
            error_text(upper_error(sorted));
 }
 
-std::string estimated_text(const StudyWalls& walls)
+/// "Solver error: median 0.1 %, ..."
+/// @param e with known ones
+std::string estimated_text(const StudyWalls& walls, const std::string& what,
+                           const WallErrors& e)
 {
-    const SolverErrors e = all_errors(walls);
-    if (e.known.empty() && e.unknown == 0) return {};
-    if (e.known.empty())
-        return "Solver error: not known, because the walls were pushed by an earlier version "
-               "of the program.";
     const std::size_t n = e.known.size() + e.unknown;
-    std::string text = "Solver error: median " + error_text(median_error(e.known)) + ", " +
+    std::string text = what + ": median " + error_text(median_error(e.known)) + ", " +
                        upper_words(e.known) + ", " +
                        (e.above.empty() ? "none" : std::to_string(e.above.size())) + " of " +
                        counted(n, "wall", "walls") + " above the " +
@@ -75,6 +73,23 @@ std::string estimated_text(const StudyWalls& walls)
                 (e.above.size() > kNamedWalls ? ", ...)" : ")");
     if (e.unknown > 0) text += ", not known of " + std::to_string(e.unknown);
     return text + ".";
+}
+
+std::string speed_text(const StudyWalls& walls)
+{
+    const WallErrors e = all_errors(walls, &StudyWall::solver_error);
+    if (!e.known.empty()) return estimated_text(walls, "Solver error", e);
+    if (e.unknown == 0) return {};
+    return "Solver error: not known, because the walls were pushed by an earlier version of "
+           "the program.";
+}
+
+std::string points_text(const StudyWalls& walls)
+{
+    const WallErrors e = all_errors(walls, &StudyWall::points_error);
+    if (e.known.empty()) return {};
+    return estimated_text(walls, "Error by the number of contact points", e) +
+           (e.above.empty() ? "" : " A larger solver.contact_points lessens it.");
 }
 
 std::string audit_text(const StudyWalls& walls)
@@ -111,15 +126,15 @@ std::string audit_text(const StudyWalls& walls)
 
 } // namespace
 
-SolverErrors solver_errors(const StudyLevel& level, const Study& study)
+WallErrors wall_errors(const StudyLevel& level, double StudyWall::*error, const Study& study)
 {
-    SolverErrors e;
+    WallErrors e;
     for (const StudyWall& w : level.walls) {
-        if (std::isfinite(w.solver_error))
-            e.known.push_back(w.solver_error);
+        if (std::isfinite(w.*error))
+            e.known.push_back(w.*error);
         else
             ++e.unknown;
-        if (misses_accuracy(w.solver_error, study)) e.above.push_back(w.key);
+        if (misses_accuracy(w.*error, study)) e.above.push_back(w.key);
     }
     std::ranges::sort(e.known);
     return e;
@@ -174,8 +189,11 @@ double median_error(const std::vector<double>& sorted)
 
 std::string solver_error_text(const StudyWalls& walls)
 {
-    const std::string estimated = estimated_text(walls), audit = audit_text(walls);
-    return estimated + (estimated.empty() || audit.empty() ? "" : " ") + audit;
+    std::string text;
+    for (const std::string& sentence :
+         {speed_text(walls), points_text(walls), audit_text(walls)})
+        if (!sentence.empty()) text += (text.empty() ? "" : " ") + sentence;
+    return text;
 }
 
 } // namespace app

@@ -1,7 +1,7 @@
 #pragma once
-/// Effect of the speed of the solver's drive on the numbers of a study: the error that each
-/// push estimates of itself, and the differences of an audit. Tables, remarks, page and bounds
-/// take it from here.
+/// Effect of the solver on the numbers of a study: the errors that each push estimates of
+/// itself, by the speed of its drive and by its contact points, and the differences of an
+/// audit. Tables, remarks, page and bounds take it from here.
 
 #include "app/study/stored/study_walls.hpp"
 #include "app/text/number_text.hpp"
@@ -27,13 +27,15 @@ struct Study;
     return number(100.0 * error, 2) + " %";
 }
 
-/// Errors that the pushes estimate of their own peak forces.
-struct SolverErrors {
+/// Errors that the pushes estimate of their own forces.
+struct WallErrors {
     std::vector<double> known;  ///< ascending [-]
     std::size_t unknown = 0;    ///< walls of a file that does not have it
     std::vector<WallKey> above; ///< walls that miss the accuracy
 };
-[[nodiscard]] SolverErrors solver_errors(const StudyLevel& level, const Study& study);
+/// @param error StudyWall::solver_error or StudyWall::points_error
+[[nodiscard]] WallErrors wall_errors(const StudyLevel& level, double StudyWall::*error,
+                                     const Study& study);
 
 /// |value / value of the slower push - 1| of one wall [-]; NaN: not defined on one of both.
 struct AuditDifference {
@@ -63,8 +65,9 @@ struct AuditDifferences {
 [[nodiscard]] double median_error(const std::vector<double>& sorted);
 
 /// "Solver error: median 0.1 %, 95 % of walls below 0.6 %, 2 of 50 walls above the 1 % asked
-/// for (0.50 MPa sample 3, ...)." and, of an audit, a second sentence. Says so where the error
-/// is not known; empty where no wall gave a result.
+/// for (0.50 MPa sample 3, ...).", the same of the error by contact points, and, of an audit, a
+/// further sentence. Says so where the solver error is not known; empty where no wall gave a
+/// result.
 [[nodiscard]] std::string solver_error_text(const StudyWalls& walls);
 
 } // namespace app

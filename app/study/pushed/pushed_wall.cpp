@@ -1,6 +1,7 @@
 #include "app/study/pushed/pushed_wall.hpp"
 
 #include "app/input/keys/limit_state_text.hpp"
+#include "app/study/pushed/points_error.hpp"
 
 namespace app {
 
@@ -80,6 +81,7 @@ WallSource source_of(const PushedWall& w, const WallReading& reading)
             w.loads.height,
             w.mechanism,
             solver_error(w),
+            points_error(w.result),
             w.displacement.empty() ? kNoNumber : w.displacement.back(),
             &w.result};
 }

@@ -25,7 +25,8 @@ namespace {
 /// not all.
 struct Columns {
     std::size_t rotation, sliding, cracked, outcome;
-    std::optional<std::size_t> spalled, crushed_area, turning, settled, solver_error;
+    std::optional<std::size_t> spalled, crushed_area, turning, settled, solver_error,
+        points_error;
 };
 
 /// Place of the first whose `member` is this name.
@@ -55,7 +56,8 @@ Columns columns_of(const std::filesystem::path& file, const StoreHead& head)
             place_of(head.responses, "crushed_area", &Column::name),
             place_of(head.responses, "turning_share", &Column::name),
             place_of(head.counts, "settled", &Column::name),
-            place_of(head.responses, "solver_error", &Column::name)};
+            place_of(head.responses, "solver_error", &Column::name),
+            place_of(head.responses, "points_error", &Column::name)};
 }
 
 std::vector<PierReading> piers_of_row(const StudyWalls& all, const ReadingRules& rules,
@@ -81,6 +83,7 @@ StudyWall read_wall(const StudyWalls& all, const ReadingRules& rules, const Colu
         return w;
     }
     if (c.solver_error) w.solver_error = row.responses[*c.solver_error];
+    if (c.points_error) w.points_error = row.responses[*c.points_error];
     w.mechanism.rotation_share = row.responses[c.rotation];
     w.mechanism.sliding_share = row.responses[c.sliding];
     if (c.turning) w.mechanism.turning_share = row.responses[*c.turning];

@@ -53,6 +53,7 @@ struct StudyWall {
     dem::Mechanism mechanism;
     double solver_error =
         kUnknownError; ///< of the peak force [-], >= 0; NaN: failed, or a file without it
+    double points_error = kUnknownError; ///< of the force by the contact points, likewise
     std::vector<double>
         inputs; ///< shown values; of several per joint, their mean (Keep::means)
     std::vector<double>
@@ -72,7 +73,7 @@ struct StudyWall {
 /// Source of its numbers (kWallNumbers), no longer than the wall lives.
 [[nodiscard]] inline WallSource source_of(const StudyWall& wall, double height)
 {
-    return {wall.reading, height, wall.mechanism, wall.solver_error};
+    return {wall.reading, height, wall.mechanism, wall.solver_error, wall.points_error};
 }
 
 /// kRocking, kSliding or kMixed

@@ -26,6 +26,7 @@ StudyWall with_other_way(StudyWall wall, StudyWall other, const ReadingRules& ru
     wall.turned_piers = std::move(other.piers);
     wall.turned_spandrels = std::move(other.spandrels);
     wall.solver_error = std::max(wall.solver_error, other.solver_error);
+    wall.points_error = std::max(wall.points_error, other.points_error);
     if (by_other) {
         wall.mechanism = other.mechanism;
         wall.forces = std::move(other.forces);

@@ -14,7 +14,11 @@ double found(const Energy& e)
 
 } // namespace
 
-double Energy::passed() const { return std::max(found(*this), std::abs(work)) + lifted; }
+double Energy::passed() const
+{
+    return std::max(found(*this), std::abs(work)) +
+           (lifted < 0.0 ? 0.0 : lifted); // NaN stays NaN
+}
 
 double Energy::residual() const
 {

@@ -14,7 +14,8 @@ struct Energy {
     double crushing = 0.0; ///< of contacts under compression
     double damping = 0.0;
     /// Energy that the drive of the push has put into weight and vertical load, which rise as a
-    /// wall rocks, >= 0. It is in `work` already, with the opposite sign.
+    /// wall rocks; negative where they have sunk, as those of a wall that crushes. It is in
+    /// `work` already, with the opposite sign.
     double lifted = 0.0;
     /// The part of `friction` that joints lose as they close.
     double closing = 0.0;

@@ -66,6 +66,34 @@ TEST_CASE("solver error: median, 95 % and the walls above the accuracy are said 
                Contains("median 0.2 %, at most 0.3 %, none of 6 walls"));
 }
 
+TEST_CASE("solver error: walls with too few contact points are said and named, in no bracket",
+          "[app][solver_error]")
+{
+    app::StudyWalls walls = with_errors(25);
+    walls.study.solver.accuracy = 0.03;
+    const app::Table without = app::solver_error_table(walls);
+    CHECK(scenes::cell(without, 0, "contact points, 95 % below [%]").empty());
+    CHECK_THAT(app::solver_error_text(walls), !Contains("contact"));
+    for (app::StudyLevel& level : walls.levels)
+        for (app::StudyWall& w : level.walls) w.points_error = 0.002;
+    CHECK_THAT(
+        app::solver_error_text(walls),
+        Contains(" 3 % asked for. Error by the number of contact points: median 0.2 %, "
+                 "95 % of walls below 0.2 %, none of 50 walls above the 3 % asked for."));
+    walls.levels[1].walls[4].points_error = 0.04;
+    CHECK_THAT(app::solver_error_text(walls),
+               Contains(", 1 of 50 walls above the 3 % asked for (1.00 MPa sample 5). A larger "
+                        "solver.contact_points lessens it."));
+    const app::Table t = app::solver_error_table(walls);
+    CHECK(scenes::sound(t));
+    CHECK(scenes::number_in(t, 1, "contact points, median [%]").value == Approx(0.2));
+    CHECK(scenes::cell(t, 1, "note") == "Too few contact points: 1.00 MPa sample 5.");
+    CHECK(scenes::cell(t, 1, "mean peak force [kN]") ==
+          scenes::cell(without, 1, "mean peak force [kN]"));
+    const app::Table all = app::wall_table(walls, app::all_walls(walls));
+    CHECK(scenes::cell(all, 29, "points error [%]") == "4.00");
+}
+
 TEST_CASE("solver error: walls of a file without it are not known, not exact",
           "[app][solver_error]")
 {

@@ -112,7 +112,8 @@ TEST_CASE("wall numbers: a fact that no file holds is refused, not invented",
 {
     const app::WallReading w = standing();
     const dem::Mechanism mechanism;
-    const app::WallSource stored{w, 1.6, mechanism, 0.01};
+    const app::WallSource stored{w, 1.6, mechanism, 0.01, 0.02};
     CHECK(app::value(wall_number("solver_error"), stored) == 0.01);
+    CHECK(app::value(wall_number("points_error"), stored) == 0.02);
     CHECK_THROWS_AS(app::value(wall_number("steps"), stored), std::logic_error);
 }

@@ -40,6 +40,16 @@ TEST_CASE("energy: what the drive has put into weight and load has passed throug
     CHECK(e.residual() == Approx(1e-3).epsilon(1e-14));
 }
 
+TEST_CASE("energy: a load that has sunk gives back no share of the scale", "[dem][energy]")
+{
+    Energy e; // the load has done 40 J of it
+    e.work = 100.0;
+    e.friction = 99.0;
+    e.lifted = -40.0;
+    CHECK(e.residual() == Approx(0.01).epsilon(1e-14));
+    CHECK(e.stored() == -40.0);
+}
+
 TEST_CASE("energy: work given back counts with its sign", "[dem][energy]")
 {
     Energy e;
@@ -55,8 +65,9 @@ TEST_CASE("energy: nothing done leaves no residual", "[dem][energy]")
 
 TEST_CASE("energy: a broken entry breaks the residual, whichever it is", "[dem][energy]")
 {
-    double Energy::*entry = GENERATE(&Energy::work, &Energy::kinetic, &Energy::elastic,
-                                     &Energy::friction, &Energy::fracture, &Energy::damping);
+    double Energy::*entry =
+        GENERATE(&Energy::work, &Energy::kinetic, &Energy::elastic, &Energy::friction,
+                 &Energy::fracture, &Energy::damping, &Energy::lifted);
     Energy e;
     e.work = e.elastic = 1.0;
     e.*entry = std::numeric_limits<double>::quiet_NaN();
