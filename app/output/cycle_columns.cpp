@@ -18,12 +18,19 @@ std::optional<double> combined(const Cycle& c, double minus_share)
     return 0.5 * (*c.residual_plus + minus_share * *c.residual_minus);
 }
 
-/// A number of the ledger where the path passes zero displacement behind a point.
+/// A number of the ledger where the path passes zero displacement behind a point. The ledger of
+/// a point stands at the end of its interval, the point itself in the middle.
 template <class Read>
-double at_zero(std::span<const dem::Energy> ledger, std::size_t point, double share, Read read)
+double at_zero(std::span<const dem::CurvePoint> curve, std::size_t point, double share,
+               Read read)
 {
-    const double x = read(ledger[point]);
-    return share == 0.0 ? x : x + share * (read(ledger[point + 1]) - x);
+    if (share == 0.0) return read(curve[point].energy);
+    const double side = curve[point].displacement;
+    std::size_t after = point + 1;
+    while (after > 1 && curve[after - 1].interval_end * side <= 0.0) --after;
+    const dem::CurvePoint &a = curve[after - 1], &b = curve[after];
+    const double to_zero = a.interval_end / (a.interval_end - b.interval_end);
+    return read(a.energy) + to_zero * (read(b.energy) - read(a.energy));
 }
 
 /// Stiffness of the first cycle that has one; nothing where none has.
@@ -37,7 +44,7 @@ std::optional<double> first_stiffness(const std::vector<Cycle>& cycles)
 } // namespace
 
 std::vector<CycleColumn> cycle_columns(const std::vector<Cycle>& cycles,
-                                       std::span<const dem::Energy> ledger)
+                                       std::span<const dem::CurvePoint> curve)
 {
     const std::optional<double> first = first_stiffness(cycles);
     std::vector<CycleColumn> columns;
@@ -49,8 +56,8 @@ std::vector<CycleColumn> cycle_columns(const std::vector<Cycle>& cycles,
     };
     const auto add_part = [&](std::string_view name, const auto& read) {
         add(name, "J", 1.0, [&](const Cycle& c) -> std::optional<double> {
-            return at_zero(ledger, c.end, c.end_share, read) -
-                   at_zero(ledger, c.begin, c.begin_share, read);
+            return at_zero(curve, c.end, c.end_share, read) -
+                   at_zero(curve, c.begin, c.begin_share, read);
         });
     };
     double number = 0.0;

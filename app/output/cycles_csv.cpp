@@ -15,10 +15,10 @@ constexpr int kDigits = 9; // as in capacity.csv
 } // namespace
 
 std::string cycles_csv(const std::vector<fragility::Cycle>& cycles,
-                       std::span<const dem::Energy> ledger)
+                       std::span<const dem::CurvePoint> curve)
 {
-    std::vector<CycleColumn> columns = cycle_columns(cycles, ledger);
-    const bool loses = !ledger.empty() && ledger.back().closing > 0.0;
+    std::vector<CycleColumn> columns = cycle_columns(cycles, curve);
+    const bool loses = !curve.empty() && curve.back().energy.closing > 0.0;
     std::erase_if(columns, [=](const CycleColumn& c) { return c.name == "closing" && !loses; });
     std::string table;
     const auto separator = [&](const CycleColumn& c) {

@@ -28,11 +28,11 @@
 #include "app/push/pushed_series.hpp"
 #include "app/push/summary_json.hpp"
 #include "app/push/test_curve.hpp"
-#include "app/study/pushed/points_error.hpp"
 #include "app/study/answers/solver_error.hpp"
 #include "app/study/other_way.hpp"
 #include "app/study/pushed/drawn_wall.hpp"
 #include "app/study/pushed/interrupt.hpp"
+#include "app/study/pushed/points_error.hpp"
 #include "app/study/stored/study_walls.hpp"
 #include "app/study/stored/wanted_walls.hpp"
 #include "app/text/number_text.hpp"
@@ -99,9 +99,7 @@ std::vector<OutputFile> wall_files(const Study& used, const dem::Layout& layout,
     files.push_back({"capacity.csv", capacity_text(w)});
     if (push_way(used).direction == 0) {
         const fragility::Path path{w.displacement, w.force};
-        std::vector<dem::Energy> ledger;
-        for (const dem::CurvePoint& p : w.result.curve) ledger.push_back(p.energy);
-        files.push_back({"cycles.csv", cycles_csv(fragility::cycles(path), ledger)});
+        files.push_back({"cycles.csv", cycles_csv(fragility::cycles(path), w.result.curve)});
         files.push_back({"backbones.csv", backbones_csv(path)});
     }
     files.push_back({"capacity.svg", capacity_svg(used, w, beside)});

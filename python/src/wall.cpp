@@ -86,11 +86,9 @@ py::list frames(const WallOfStudy& w)
 /// One array for each number of the cycles; nan: a cycle has none.
 py::dict cycles(const WallOfStudy& w)
 {
-    std::vector<dem::Energy> ledger;
-    for (const dem::CurvePoint& p : w.wall.result.curve) ledger.push_back(p.energy);
+    const auto all = fragility::cycles({w.wall.displacement, w.wall.force});
     py::dict columns;
-    for (const app::CycleColumn& c :
-         app::cycle_columns(fragility::cycles({w.wall.displacement, w.wall.force}), ledger)) {
+    for (const app::CycleColumn& c : app::cycle_columns(all, w.wall.result.curve)) {
         std::vector<double> numbers;
         for (const std::optional<double>& value : c.values)
             numbers.push_back(value.value_or(std::numeric_limits<double>::quiet_NaN()));

@@ -13,6 +13,7 @@ struct CurvePoint {
     double base_shear = 0.0;   ///< horizontal force on the ground [N]
     double unbalance = 0.0;    ///< mean of |load - base shear| [N]
     Energy energy;             ///< at the end of the interval [J]
+    double interval_end = 0.0; ///< displacement of the load line there [m]
     /// Horizontal, of the upper right corner at the end of the interval [m]; only with body
     /// forces.
     double corner = 0.0;

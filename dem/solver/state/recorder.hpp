@@ -68,8 +68,12 @@ class Recorder {
         if (before_.size() > static_cast<std::size_t>(kSteps)) before_.pop_front();
         now_ = {};
         fine_ -= fine_ > 0 ? 1 : 0;
-        return {position - 0.5 * all.displacement, all.mean(), all.base / all.way,
-                all.gap / all.way, energy};
+        return {position - 0.5 * all.displacement,
+                all.mean(),
+                all.base / all.way,
+                all.gap / all.way,
+                energy,
+                position};
     }
 
     /// Intervals between points that the last point is a mean of.

