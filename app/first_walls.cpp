@@ -1,5 +1,6 @@
 /// The walls of the program that is built first: it knows study files, but neither designs nor
 /// files of results.
+#include "app/input/study_name.hpp"
 #include "app/input/study_reading.hpp"
 #include "app/study/stored/wanted_walls.hpp"
 
@@ -21,7 +22,7 @@ namespace {
 StudySource study_source(const std::string& path, std::span<const std::string> overrides,
                          Purpose purpose)
 {
-    if (path.ends_with(".h5")) refuse(path);
+    if (is_study_name(path)) refuse(path);
     return {prepare(read_study(path, overrides, purpose)), {}, {}};
 }
 

@@ -21,6 +21,15 @@
 namespace app {
 namespace {
 
+/// Vertical stresses of the walls of a study [Pa].
+std::vector<double> stresses_of(const StoreHead& head)
+{
+    std::vector<double> stresses;
+    for (const StoreLevel& level : head.levels)
+        if (!level.turned && level.slower <= 1) stresses.push_back(level.vertical_stress);
+    return stresses;
+}
+
 /// Tables in the folder of the name of the file, the page beside it. Walls are filmed while
 /// they are pushed.
 int study_then_report(const Command& study, bool shaken)
@@ -47,7 +56,8 @@ int study_then_report(const Command& study, bool shaken)
     try {
         const int made =
             std::max({code, fragility_command(tables), report_command(page, films)});
-        if (!shaken) std::cout << sheet_offer(file) << '\n';
+        if (!shaken)
+            std::cout << sheet_offer(file, "", stresses_of(read_head(file.string()))) << '\n';
         return made;
     } catch (const Interrupted&) {
         throw Interrupted{"all walls are in " + file.string() +

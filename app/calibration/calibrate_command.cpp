@@ -3,6 +3,7 @@
 #include "app/commands.hpp"
 #include "app/fragility/drift_csv.hpp"
 #include "app/input/study/units.hpp"
+#include "app/input/study_name.hpp"
 #include "app/input/study_reading.hpp"
 #include "app/output/picture/markup.hpp"
 #include "app/output/progress.hpp"
@@ -31,7 +32,7 @@ constexpr const char* kLinesFile = "model_factor.ini";
 constexpr const char* kPosteriorFile = "posterior.ini";
 constexpr const char* kTable = "calibration";
 
-bool is_stored(const Command& command) { return command.study.ends_with(".h5"); }
+bool is_stored(const Command& command) { return is_study_name(command.study); }
 
 /// The values of --set, with the stresses of --predict behind those of the study.
 std::vector<std::string> overrides_of(const Command& command)

@@ -1,6 +1,7 @@
 #include "app/choices/choices_command.hpp"
 
 #include "app/choices/choice_table.hpp"
+#include "app/input/study_name.hpp"
 #include "app/input/study_reading.hpp"
 #include "app/output/picture/markup.hpp"
 #include "app/output/progress.hpp"
@@ -98,7 +99,7 @@ std::vector<ChoiceResult> push_choices(const std::vector<ChoiceChange>& changes,
 
 int choices_command(const Command& command)
 {
-    if (command.study.ends_with(".h5"))
+    if (is_study_name(command.study))
         throw ConfigError(
             "drystone", 0, "choices",
             "\"" + command.study +

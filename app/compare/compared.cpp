@@ -1,6 +1,7 @@
 #include "app/compare/compared.hpp"
 
 #include "app/compare/compared_limits.hpp"
+#include "app/input/study_name.hpp"
 #include "app/output/picture/chart_svg.hpp"
 #include "app/output/table/cells.hpp"
 #include "app/push/test_curve.hpp"
@@ -197,7 +198,7 @@ const Compared& reference(const std::vector<Compared>& all, const Compared& c)
 
 std::vector<Compared> read_compared(const std::string& path)
 {
-    if (path.ends_with(".h5")) return of_study(path);
+    if (is_study_name(path)) return of_study(path);
     const fs::path folder = path;
     if (fs::exists(folder / kFragilityFile) && !fs::exists(folder / "summary.json")) return {};
     if (fs::is_directory(path)) return {of_push(path)};

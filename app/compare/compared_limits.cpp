@@ -1,5 +1,6 @@
 #include "app/compare/compared_limits.hpp"
 
+#include "app/input/study_name.hpp"
 #include "app/output/picture/chart_svg.hpp"
 #include "app/output/table/cells.hpp"
 #include "app/study/stored/study_walls.hpp"
@@ -37,7 +38,7 @@ std::vector<ComparedLimit> limits_of_study(const std::string& path)
                     walls.push_back(*o);
             if (walls.empty()) continue;
             ComparedLimit c{study.name, state_name(study.states[s]), stress_cell(level.stress),
-                            static_cast<double>(walls.size())};
+                            "observed", static_cast<double>(walls.size())};
             const auto found =
                 fragility::observed_quantiles(walls, kComparedShares, confidence);
             for (std::size_t q = 0; q < found.size(); ++q)
@@ -95,7 +96,7 @@ std::vector<ComparedLimit> limits_of_folder(const fs::path& folder)
                                      : folder.filename().string();
         for (const Json& row : json.at("tables").at("performance_limits").at("rows")) {
             ComparedLimit c{name, text_in(row, "limit state"), group_of(row),
-                            number_in(row, "n").value_or(0.0)};
+                            text_in(row, "drifts from"), number_in(row, "n").value_or(0.0)};
             for (std::size_t q = 0; q < kNames.size(); ++q)
                 c.drifts.at(q) = drift_of(row, kNames.at(q));
             all.push_back(std::move(c));
@@ -132,7 +133,7 @@ std::vector<const ComparedLimit*> in_order(const std::vector<ComparedLimit>& all
 
 std::vector<ComparedLimit> read_limits(const std::string& path)
 {
-    if (path.ends_with(".h5")) return limits_of_study(path);
+    if (is_study_name(path)) return limits_of_study(path);
     if (fs::exists(fs::path(path) / kFragilityFile)) return limits_of_folder(path);
     return {};
 }
@@ -143,12 +144,14 @@ Table compared_limit_table(const std::vector<ComparedLimit>& all)
     t.title = "Limit drifts side by side";
     t.caption = "Drifts at which 16, 50 and 84 % of the walls have reached a limit state, with "
                 "their intervals: of a file of results the shares observed, of a folder of "
-                "fragility those of its table. '>': not reached by so many. The last column "
+                "fragility those of its table, which may be of a law. '>': not reached by so "
+                "many. The last column "
                 "relates medians to the first of the same limit state and stress.";
     t.keys = 3;
     t.head = {"limit state",
               "stress [MPa]",
               "walls of",
+              "drifts from",
               "n",
               {"16 % drift [%]", kInterval | kCensored},
               {"median drift [%]", kInterval | kCensored},
@@ -157,7 +160,7 @@ Table compared_limit_table(const std::vector<ComparedLimit>& all)
     for (const ComparedLimit* c : in_order(all)) {
         const double base = first_of(all, *c).drifts[kMedian].value,
                      own = c->drifts[kMedian].value;
-        Row row = {c->state, c->group, c->name, count(c->walls)};
+        Row row = {c->state, c->group, c->name, c->from, count(c->walls)};
         for (const std::size_t q : {kMedian - 1, kMedian, kMedian + 1})
             row.emplace_back(c->drifts.at(q));
         row.emplace_back(std::isfinite(own) && base > 0.0

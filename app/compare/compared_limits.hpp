@@ -18,6 +18,7 @@ struct ComparedLimit {
     std::string name;  ///< of the file or folder
     std::string state; ///< "ntc SLC"
     Cell group;        ///< stress [MPa], or the name of a group
+    std::string from;  ///< what its drifts are read off: "observed", "law", ...
     double walls = 0.0;
     std::array<Number, kComparedShares.size()> drifts{}; ///< [%]; without value: not known
 };

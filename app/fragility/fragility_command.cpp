@@ -6,6 +6,7 @@
 #include "app/fragility/study_output.hpp"
 #include "app/input/keys/key_reading.hpp"
 #include "app/input/study_checks.hpp"
+#include "app/input/study_name.hpp"
 #include "app/input/study_reading.hpp"
 #include "app/output/picture/markup.hpp"
 #include "app/output/progress.hpp"
@@ -47,7 +48,7 @@ DriftOptions options_of(const std::vector<std::string>& overrides)
 }
 
 /// A missing or damaged FILE.h5 is a study too: its reader says what is wrong with it.
-bool is_study(const std::string& path) { return path.ends_with(".h5") || begins_as_hdf5(path); }
+bool is_study(const std::string& path) { return is_study_name(path) || begins_as_hdf5(path); }
 
 /// "; its columns are \"wall\", \"drift [%]\""
 std::string columns_text(const Csv& csv)

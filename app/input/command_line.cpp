@@ -2,6 +2,7 @@
 
 #include "app/input/option.hpp"
 #include "app/input/study/units.hpp"
+#include "app/input/study_name.hpp"
 #include "app/text/config_error.hpp"
 #include "app/text/words.hpp"
 
@@ -162,22 +163,22 @@ void check_out_file(const Verb& verb, const Command& command)
     std::error_code ignored;
     if (fs::equivalent(out, command.study, ignored))
         say(" is the file that is read", verb.extension);
-    if (verb.extension != ".h5" && out.extension() == ".h5")
+    if (verb.extension != ".h5" && is_study_name(command.out))
         say(" is the name of a study's file", verb.extension);
-    if (command.report && (!out.has_extension() || out.extension() == ".html"))
-        say(" is the name of the tables' folder or of the page", verb.extension);
 }
 
-/// A study's file may have any name but that of another kind of file.
+/// Other verbs know the file of a study by its name.
 void check_out_ending(const Command& command)
 {
     constexpr std::array<std::string_view, 13> kOthers = {
         ".txt",  ".csv", ".tsv", ".ini", ".json", ".md",  ".tex",
         ".html", ".svg", ".png", ".dxf", ".pdf",  ".xlsx"};
-    const fs::path out = command.out;
-    if (std::ranges::find(kOthers, out.extension().string()) != kOthers.end())
-        refuse("--out", in_quotes(command.out) + " is not the name of a study's file; write " +
-                            in_quotes(fs::path(out).replace_extension(".h5").string()));
+    if (is_study_name(command.out)) return;
+    fs::path name = command.out;
+    if (std::ranges::find(kOthers, name.extension().string()) != kOthers.end())
+        name.replace_extension();
+    refuse("--out", in_quotes(command.out) + " is not the name of a study's file; write " +
+                        in_quotes(name.string() + ".h5"));
 }
 
 /// A folder of results may hold a file named like the one that is read, and would replace it.
@@ -186,7 +187,7 @@ void check_out_folder(const Command& command)
     const fs::path study = command.study;
     const fs::path folder = study.has_parent_path() ? study.parent_path() : fs::path(".");
     std::error_code ignored;
-    if (study.extension() != ".h5" && fs::equivalent(folder, command.out, ignored))
+    if (!is_study_name(command.study) && fs::equivalent(folder, command.out, ignored))
         refuse("--out", in_quotes(command.out) +
                             " is the folder of the file that is read, which could be "
                             "overwritten; give another folder");
@@ -197,7 +198,7 @@ void check_out_folder(const Command& command)
 std::string default_out(const Verb& verb, const Command& command)
 {
     const fs::path read = command.study;
-    const bool results = read.extension() == ".h5";
+    const bool results = is_study_name(read.string());
     std::string name = read.stem().string();
     if (verb.name == "record") name = name.substr(0, name.find('(')); // of a pulse
     if (results && verb.name == "push") {
@@ -257,7 +258,7 @@ std::string take_video(std::vector<std::string>& arguments)
 
 void check_study_options(const Command& command)
 {
-    if (command.study.ends_with(".h5") &&
+    if (is_study_name(command.study) &&
         is_listed(command.verb->name, "study reliability serve"))
         refuse(command.study,
                "is a file of results; write the study file that it was made from");

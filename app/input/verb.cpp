@@ -1,5 +1,6 @@
 #include "app/input/verb.hpp"
 
+#include "app/input/study_name.hpp"
 #include "app/text/config_error.hpp"
 #include "app/text/words.hpp"
 
@@ -25,7 +26,7 @@ const Verb& known_verb(std::span<const Verb> verbs, std::string_view name)
                               std::string(name) + "\"");
     };
     if (name.ends_with(".ini")) use("push");
-    if (name.ends_with(".h5")) use("fragility");
+    if (is_study_name(name)) use("fragility");
     std::vector<std::string_view> names;
     for (const Verb& v : verbs) names.push_back(v.name);
     throw ConfigError("drystone", 0, name, "unknown verb; " + suggestion(name, names));

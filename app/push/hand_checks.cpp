@@ -2,8 +2,8 @@
 
 #include "app/input/wall/wall_geometry.hpp"
 #include "app/push/pier_table.hpp"
+#include "app/reading/points_error.hpp"
 #include "app/study/answers/limit_choices.hpp"
-#include "app/study/pushed/points_error.hpp"
 #include "app/study/answers/solver_error.hpp"
 #include "app/study/pushed/both_ways.hpp"
 #include "app/study/pushed/pier_remark.hpp"

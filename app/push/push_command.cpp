@@ -28,11 +28,11 @@
 #include "app/push/pushed_series.hpp"
 #include "app/push/summary_json.hpp"
 #include "app/push/test_curve.hpp"
+#include "app/reading/points_error.hpp"
 #include "app/study/answers/solver_error.hpp"
 #include "app/study/other_way.hpp"
 #include "app/study/pushed/drawn_wall.hpp"
 #include "app/study/pushed/interrupt.hpp"
-#include "app/study/pushed/points_error.hpp"
 #include "app/study/stored/study_walls.hpp"
 #include "app/study/stored/wanted_walls.hpp"
 #include "app/text/number_text.hpp"
@@ -341,7 +341,7 @@ int push_command(const Command& command)
         std::cout << sheet_offer(fs::path(command.out) /
                                      wall_folder(walls.size(), walls.front().vertical_stress) /
                                      "study.ini",
-                                 fs::path(command.study).stem().string())
+                                 fs::path(command.study).stem().string(), {})
                   << '\n';
     for (const PushedWall& w : walls)
         if (dem::failed(w.result.outcome))

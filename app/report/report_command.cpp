@@ -16,6 +16,7 @@
 #include "app/study/stored/study_file_head.hpp"
 #include "app/text/json_text.hpp"
 #include "app/text/number_text.hpp"
+#include "app/text/words.hpp"
 #include "dem/scene/layout.hpp"
 
 #include <algorithm>
@@ -146,7 +147,7 @@ int report_command(const Command& command, const FilmShelf& shelf)
     const PreparedStudy ready = lay_again(study.study);
     Draft draft{study, ready, title, walls_to_list(study, kMostListed), {}};
     draft.data = tested_data(study, draft.listed, command.quiet);
-    draft.data["file"] = file.filename().string();
+    draft.data["file"] = in_shell(file.string());
     const Shown shown = show_walls(draft, command, shelf);
     const std::string page = draft.page(shown.replay, shown.note);
     if (out.has_parent_path()) make_folder(out.parent_path());

@@ -1,6 +1,7 @@
 #include "app/commands.hpp"
 
 #include "app/input/key_effects.hpp"
+#include "app/input/study_name.hpp"
 #include "app/input/study_reading.hpp"
 #include "app/output/picture/markup.hpp"
 #include "app/output/picture/wall_svg.hpp"
@@ -79,7 +80,7 @@ void add_series(const ShakenWall& w, SeriesFolder& series, const std::filesystem
 
 int shake_command(const Command& command)
 {
-    if (command.study.ends_with(".h5"))
+    if (is_study_name(command.study))
         throw ConfigError(command.study, 0, "", "shake reads a study file; give STUDY.ini");
     if (!command.video.empty())
         throw ConfigError("drystone", 0, "--film",

@@ -3,6 +3,7 @@
 #include "app/input/key_effects.hpp"
 #include "app/input/keys/limit_state_text.hpp"
 #include "app/input/study/material_presets.hpp"
+#include "app/input/study_name.hpp"
 #include "app/input/wall/random_layouts.hpp"
 #include "app/input/wall/wall_geometry.hpp"
 #include "app/output/atomic_output.hpp"
@@ -228,7 +229,7 @@ Chart sheet_curve(const Study& study, const PushedWall& wall)
 
 int sheet_command(const Command& command)
 {
-    if (command.study.ends_with(".h5")) check_is_study(command.study);
+    if (is_study_name(command.study)) check_is_study(command.study);
     const StudySource source = study_source(command.study, command.overrides);
     const Study& study = source.ready.study;
     const std::vector<WantedWall> wanted = mean_wall(source, command);
@@ -236,7 +237,7 @@ int sheet_command(const Command& command)
         std::cerr << note;
     check_pdf(command.out);
     std::optional<StudyWalls> stored;
-    if (command.study.ends_with(".h5"))
+    if (is_study_name(command.study))
         stored = read_study_walls(command.study, command.overrides, Keep::readings);
     std::cerr << wrapped(study_notes(source.ready, command.verb), terminal_width());
     catch_interrupts();

@@ -32,8 +32,15 @@ std::string shortened(const std::string& line)
 
 [[noreturn]] void refuse(const std::string& file, const std::string& why)
 {
-    throw StoreError(file + ": " + why +
-                     "\nUse another output file, or the inputs of this one.");
+    throw BadStoredStudy(file + ": " + why +
+                         "\nUse another output file, or the inputs of this one.");
+}
+
+std::string in_megapascals(double stress)
+{
+    std::ostringstream text;
+    text << stress / 1e6 << " MPa";
+    return text.str();
 }
 
 void check_revision(const std::string& file, const StoreHead& stored, const StoreHead& wanted)
@@ -44,10 +51,11 @@ void check_revision(const std::string& file, const StoreHead& stored, const Stor
     const std::string version =
         stored.sessions.empty() ? ""
                                 : " (version " + stored.sessions.front().program_version + ")";
-    throw StoreError(file + ": was begun by " + revision_words(before) + version +
-                     ". This program has " + revision_words(now) +
-                     ", which gives other numbers for the same walls.\nFinish the file with "
-                     "the version that began it, or begin a new one with another --out.");
+    throw BadStoredStudy(
+        file + ": was begun by " + revision_words(before) + version + ". This program has " +
+        revision_words(now) +
+        ", which gives other numbers for the same walls.\nFinish the file with "
+        "the version that began it, or begin a new one with another --out.");
 }
 
 void check_levels(const std::string& file, const StoreHead& stored, const StoreHead& wanted)
@@ -66,17 +74,18 @@ void check_levels(const std::string& file, const StoreHead& stored, const StoreH
                              " levels of vertical stress, but " +
                              std::to_string(wanted.levels.size()) + " are wanted");
         if (!(wanted.levels[k].vertical_stress == before.vertical_stress))
-            refuse(file, "level " + std::to_string(k) + " has another vertical stress");
+            refuse(file, "has walls at " + in_megapascals(before.vertical_stress) +
+                             ", and another vertical stress is wanted there");
         if (wanted.levels[k].turned != before.turned)
             refuse(file, "has an audit and walls that were pushed one way; both directions "
                          "cannot be added behind an audit");
         if (wanted.levels[k].slower != before.slower)
-            refuse(file, "has level " + std::to_string(k) + " pushed " +
+            refuse(file, "has walls at " + in_megapascals(before.vertical_stress) + " pushed " +
                              std::to_string(before.slower) + " times slower, not " +
                              std::to_string(wanted.levels[k].slower));
         if (wanted.levels[k].samples < before.samples)
-            refuse(file, "has " + std::to_string(before.samples) + " samples at level " +
-                             std::to_string(k) + ", only " +
+            refuse(file, "has " + std::to_string(before.samples) + " samples at " +
+                             in_megapascals(before.vertical_stress) + ", only " +
                              std::to_string(wanted.levels[k].samples) + " are wanted");
     }
 }

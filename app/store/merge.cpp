@@ -100,17 +100,18 @@ void check_equal(const fs::path& first_path, const StoreHead& first, const fs::p
     const std::string one = solver_revision(first.identity),
                       two = solver_revision(other.identity);
     if (one != two)
-        throw StoreError("'" + path.string() + "' is of " + revision_words(two) + ", '" +
-                         first_path.string() + "' of " + revision_words(one) +
-                         ": each gives other numbers for the same walls. Nothing was written. "
-                         "Merge shards that one revision has run.");
+        throw BadStoredStudy(
+            "'" + path.string() + "' is of " + revision_words(two) + ", '" +
+            first_path.string() + "' of " + revision_words(one) +
+            ": each gives other numbers for the same walls. Nothing was written. "
+            "Merge shards that one revision has run.");
     const std::string why = shard_difference(first, other);
     StoreHead here = whole(other);
     here.configuration = first.configuration;
     if (!why.empty() || !(whole(first) == here))
-        throw StoreError("'" + path.string() + "' is not of the study of '" +
-                         first_path.string() + "' (-: there, +: here):\n" + why +
-                         "Nothing was written. Merge shards of one study only.");
+        throw BadStoredStudy("'" + path.string() + "' is not of the study of '" +
+                             first_path.string() + "' (-: there, +: here):\n" + why +
+                             "Nothing was written. Merge shards of one study only.");
 }
 
 /// "runs/t_3_of_3.h5", beside "runs/t_1_of_3.h5", which is shard 1; empty where that has
@@ -161,10 +162,10 @@ void add_walls(const fs::path& shard, const StoreReader& reader,
 {
     for (const WallStatus& wall : reader.statuses())
         if (const auto [there, is_new] = in.emplace(wall.key, shard); !is_new)
-            throw StoreError(wall_name(wall.key) + " is in '" + there->second.string() +
-                             "' and in '" + shard.string() +
-                             "'. Nothing was written. Name each shard once; shards of two "
-                             "versions of the program may divide the walls differently.");
+            throw BadStoredStudy(wall_name(wall.key) + " is in '" + there->second.string() +
+                                 "' and in '" + shard.string() +
+                                 "'. Nothing was written. Name each shard once; shards of two "
+                                 "versions of the program may divide the walls differently.");
 }
 
 std::vector<StoreReader> open_shards(const std::vector<fs::path>& paths)
@@ -199,19 +200,20 @@ void merge(const fs::path& out, const std::vector<fs::path>& paths, bool partial
     const FileLock lock(lock_of(out));
     std::error_code error;
     if (open_to_read(out).is_open() || fs::exists(parts_of(out), error))
-        throw StoreError("'" + out.string() +
-                         "' (or the folder with its parts) is there already. Nothing was "
-                         "written. Remove it or name another file.");
+        throw BadStoredStudy("'" + out.string() +
+                             "' (or the folder with its parts) is there already. Nothing was "
+                             "written. Remove it or name another file.");
     const StoreHead head = merged_head(shards);
     const std::string absent = partial ? "" : missing_shards(paths, shards);
     if (!absent.empty())
-        throw StoreError("Not all shards are here:\n" + absent +
-                         "Nothing was written. Run and name them, or ask for a partial merge "
-                         "(--partial).");
+        throw BadStoredStudy(
+            "Not all shards are here:\n" + absent +
+            "Nothing was written. Run and name them, or ask for a partial merge "
+            "(--partial).");
     StoreReader all(std::move(shards));
     const std::vector<WallKey> missing = missing_walls(head, all.statuses());
     if (!missing.empty() && !partial)
-        throw StoreError(
+        throw BadStoredStudy(
             std::to_string(missing.size()) +
             " walls are in no shard. Nothing was written. Finish the shards, or ask "
             "for a partial merge (--partial):\n" +

@@ -3,6 +3,7 @@
 #include "app/output/atomic_output.hpp"
 #include "app/output/replaced_file.hpp"
 #include "app/store/store_reader.hpp"
+#include "app/study/stored/history_names.hpp"
 #include "app/study/stored/study_file_head.hpp"
 #include "app/text/number_text.hpp"
 
@@ -44,6 +45,7 @@ int curves_command(const Command& command)
     if (const std::string note = check_replaced(command.out, kColumns); !command.quiet)
         std::cerr << note;
     StoreReader reader(command.study);
+    refuse_histories(command.study, reader.head());
     const fs::path file = command.out;
     if (file.has_parent_path()) make_folder(file.parent_path());
     NewFile out(file);

@@ -63,11 +63,12 @@ void refuse_other_deal(const Study& study, const StudyRun& run)
     const std::vector<WallKey> foreign =
         foreign_walls(reader.head(), reader.statuses(), deal_of(study));
     if (!foreign.empty())
-        throw StoreError("'" + run.file.string() + "' has " + wall_name(foreign.front()) +
-                         ", which is not of this shard: the file was begun by a version of the "
-                         "program that divides the walls otherwise. Continue all shards with "
-                         "that version, or name another file; shards that are finished can be "
-                         "merged.");
+        throw BadStoredStudy(
+            "'" + run.file.string() + "' has " + wall_name(foreign.front()) +
+            ", which is not of this shard: the file was begun by a version of the "
+            "program that divides the walls otherwise. Continue all shards with "
+            "that version, or name another file; shards that are finished can be "
+            "merged.");
 }
 
 /// Brings the file to the last of `sizes`.

@@ -1,6 +1,7 @@
 #include "app/text/words.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <numeric>
 #include <utility>
@@ -55,6 +56,17 @@ std::string in_quotes(std::string_view text)
         if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
     }
     return '"' + shown + '"';
+}
+
+std::string in_shell(const std::string& text)
+{
+    const bool plain = !text.empty() && std::ranges::all_of(text, [](unsigned char c) {
+        return std::isalnum(c) != 0 || c == '/' || c == '.' || c == '_' || c == '-' || c == '+';
+    });
+    if (plain) return text;
+    std::string quoted = "'";
+    for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
 }
 
 std::string listed(std::span<const std::string_view> words)

@@ -21,6 +21,9 @@ namespace app {
 /// The text in double quotes, on one line: control characters become '?', a long text is cut.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
+/// The text as a shell reads it again: in single quotes where it needs them.
+[[nodiscard]] std::string in_shell(const std::string& text);
+
 /// The words in one phrase: "m, cm or mm".
 [[nodiscard]] std::string listed(std::span<const std::string_view> words);
 

@@ -69,7 +69,7 @@ claim_threads_and_shards_change_no_bit() {
         "$program" merge "$work/m$n.h5" "${files[@]}"
         same whole "m$n"
     done
-    refused 1 "shard 1 of 16 is missing: $work/s16_01_of_16.h5" "$program" merge "$work/gap.h5" "${files[@]:1}"
+    refused 2 "shard 1 of 16 is missing: $work/s16_01_of_16.h5" "$program" merge "$work/gap.h5" "${files[@]:1}"
     [[ ! -e $work/gap.h5 ]] || fail "a file with a gap was written"
     "$program" merge "$work/part.h5" "${files[@]:1}" --partial >"$work/said" || fail "asked for, but exit code $?"
     grep -q '^5 of [0-9]* walls have not been run yet' "$work/said" || fail "$(cat "$work/said")"
@@ -152,12 +152,12 @@ claim_more_samples_add_walls_and_keep_the_old() {
     # column 5 is uniform on [0.5, 1.5]: each of 100 strata once at each of the two levels
     [[ $(awk -F, 'NR > 1 {print $1, int(($5 - 0.5) * 100)}' "$work/latin.csv" | sort -u | wc -l) == 200 ]] ||
         fail "not Latin as a whole"
-    refused 1 'only 60 are wanted' "$program" study "$here/small.ini" --out "$work/latin.h5" --set uq.samples=60
+    refused 2 "has 100 samples at 0.5 MPa, only 60 are wanted" "$program" study "$here/small.ini" --out "$work/latin.h5" --set uq.samples=60
 }
 
 claim_other_inputs_are_refused_with_the_difference() {
     study one
-    refused 1 'joint.friction_angle' "$program" study "$here/small.ini" --out "$work/one.h5" \
+    refused 2 "joint.friction_angle" "$program" study "$here/small.ini" --out "$work/one.h5" \
         --set 'joint.friction_angle=normal(mean 30 deg, cov 0.20)'
     cp "$work/one.h5" "$work/before.h5"
     study one --set 'joint.friction_angle=normal(mean 31.8 deg, cov 0.20)' --set uq.samples=4e1
@@ -241,7 +241,7 @@ claim_a_job_array_has_any_name_and_merges_its_shards() {
     cd "$work"
     cp "$here/small.ini" "$name.ini"
     study whole
-    for ending in .h5 .hdf5 ''; do
+    for ending in .h5 .hdf5; do
         "$program" study "$name.ini" --out "$name$ending" --slurm job.sh --shard '*/2' --quiet >/dev/null
         for i in 1 2; do SLURM_JOB_ID=1 SLURM_ARRAY_TASK_ID=$i bash job.sh >/dev/null; done
         SLURM_JOB_ID=1 bash job.sh merge >/dev/null || fail "not merged: $name$ending"

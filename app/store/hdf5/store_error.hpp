@@ -14,8 +14,8 @@ class StoreError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// There is no such file, or it holds no study: the program ends with code 2, as for any bad
-/// input.
+/// There is no such file, it holds no study, or another than the one asked for: the program
+/// ends with code 2, as for any bad input.
 class BadStoredStudy : public StoreError {
   public:
     using StoreError::StoreError;

@@ -1,5 +1,6 @@
 #include "app/study/stored/wanted_walls.hpp"
 
+#include "app/input/study_name.hpp"
 #include "app/input/study_reading.hpp"
 #include "app/sampling/sample_plan.hpp"
 #include "app/store/store_reader.hpp"
@@ -13,7 +14,7 @@ namespace app {
 StudySource study_source(const std::string& path, std::span<const std::string> overrides,
                          Purpose purpose)
 {
-    if (!path.ends_with(".h5")) {
+    if (!is_study_name(path)) {
         Study study = read_study(path, overrides, purpose);
         const std::uint32_t samples = samples_of(study);
         return {prepare(std::move(study)), {samples}, {}};

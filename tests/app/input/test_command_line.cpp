@@ -3,6 +3,7 @@
 #include "app/input/key_effects.hpp"
 #include "app/input/keys/study_keys.hpp"
 #include "app/input/option.hpp"
+#include "app/input/sheet_offer.hpp"
 #include "app/text/number_text.hpp"
 #include "app/verbs.hpp"
 
@@ -131,7 +132,30 @@ TEST_CASE("command line: a title is for the page that follows a study", "[app][c
     CHECK(parse({"study", "house.ini", "--report", "--title", "North wall"}).title ==
           "North wall");
     CHECK(parse({"-V"}).verb->name == "version");
-    CHECK(parse({"study", "house.ini", "--out", "a_0.60"}).out == "a_0.60"); // any name
+}
+
+TEST_CASE("command line: other verbs know the file of a study by its name",
+          "[app][command_line]")
+{
+    CHECK(parse({"study", "house.ini", "--out", "a_0.60.h5"}).out == "a_0.60.h5");
+    CHECK_THROWS_WITH(parse({"study", "house.ini", "--out", "a_0.60"}),
+                      Catch::Contains("write \"a_0.60.h5\""));
+    CHECK_THROWS_WITH(parse({"study", "house.ini", "--report", "--out", "a"}),
+                      Catch::Contains("write \"a.h5\""));
+    CHECK_THROWS_WITH(parse({"study", "house.ini", "--out", "a.csv"}),
+                      Catch::Contains("write \"a.h5\""));
+}
+
+TEST_CASE("command line: the sheet that is offered names a stress where there are several",
+          "[app][command_line]")
+{
+    CHECK(app::sheet_offer("runs/a.h5", "", std::vector{5e5}) ==
+          "one page to print: drystone sheet runs/a.h5");
+    CHECK(app::sheet_offer("runs/a b.h5", "", std::vector{5e5, 1.25e6}) ==
+          "one page to print: drystone sheet 'runs/a b.h5' --level 0.5");
+    CHECK(app::sheet_offer("o/study.ini", "it's", {}) ==
+          "one page to print: drystone sheet o/study.ini --out o/sheet.html --title "
+          "'it'\\''s'");
 }
 
 TEST_CASE("command line: the help of a verb lists the keys that it reads, with true defaults",

@@ -64,11 +64,12 @@ TEST_CASE("compare: folders of fragility are laid side by side by their limit dr
     const scenes::TemporaryFolder folder;
     const auto write = [&](const char* name, const std::string& median, const char* state) {
         fs::create_directory(folder.path / name);
-        file_of(folder.path / name / "fragility.json",
-                R"({"tables": {"performance_limits": {"rows": [{"stress [MPa]": 0.5, "n": 20,
+        file_of(
+            folder.path / name / "fragility.json",
+            R"({"tables": {"performance_limits": {"rows": [{"stress [MPa]": 0.5, "n": 20, "drifts from": "mixture",
                     "limit state": ")" +
-                    std::string(state) + R"(", "16 % drift [%]": 0.4, "median drift [%]": )" +
-                    median + R"(, "median drift lower [%]": 0.45, "median drift upper [%]": 1.9,
+                std::string(state) + R"(", "16 % drift [%]": 0.4, "median drift [%]": )" +
+                median + R"(, "median drift lower [%]": 0.45, "median drift upper [%]": 1.9,
                     "84 % drift lower [%]": 2.5, "84 % drift [%]": null}]}}})");
         return (folder.path / name).string();
     };
@@ -79,11 +80,12 @@ TEST_CASE("compare: folders of fragility are laid side by side by their limit dr
     CHECK(app::read_compared((folder.path / "a").string()).empty()); // no curves
     const app::Table t = app::compared_limit_table(all);
     REQUIRE(t.rows.size() == 3);
+    CHECK(app::cell_text(t.rows[0][3]) == "mixture");
     CHECK(value(t.rows[0].back()) == Approx(0.0).margin(1e-9));
     CHECK(value(t.rows[1].back()) == Approx(20.0));             // of the same limit state
     CHECK(value(t.rows[2].back()) == Approx(0.0).margin(1e-9)); // another, the first of it
-    CHECK(std::get<app::Number>(t.rows[0][6]).sense == app::Sense::above);
-    CHECK(std::get<app::Number>(t.rows[0][6]).lower == Approx(2.5));
+    CHECK(std::get<app::Number>(t.rows[0][7]).sense == app::Sense::above);
+    CHECK(std::get<app::Number>(t.rows[0][7]).lower == Approx(2.5));
     const std::string chart = app::compared_limit_chart(all);
     CHECK(chart.find("ntc SLC") != std::string::npos); // the last of the first
     CHECK(app::read_limits((folder.path / "nothing").string()).empty());

@@ -2,7 +2,7 @@
 
 #include "app/input/wall/wall_geometry.hpp"
 #include "app/push/hand_checks.hpp"
-#include "app/study/pushed/points_error.hpp"
+#include "app/reading/points_error.hpp"
 #include "app/study/other_way.hpp"
 #include "app/study_texts.hpp"
 

@@ -96,7 +96,7 @@ TEST_CASE("store: another study is refused and the difference is shown", "[app][
     CHECK_THAT(refusal(file, other), Contains("- friction = normal(0.6, 0.2)\n+ friction = "
                                               "normal(0.7, 0.2)"));
     CHECK_THAT(refusal(file, other), !Contains("length"));
-    CHECK_THAT(refusal(file, store_head(3)), Contains("has 4 samples at level 0, only 3"));
+    CHECK_THAT(refusal(file, store_head(3)), Contains("has 4 samples at 0.15 MPa, only 3"));
     other = store_head(4);
     other.seed = 1;
     CHECK_THAT(refusal(file, other), Contains("- seed = 18446744073709551615\n+ seed = 1\n"));
@@ -109,7 +109,8 @@ TEST_CASE("store: another study is refused and the difference is shown", "[app][
                Contains("+ response ultimate_displacement [mm] at 80 % of it"));
     other = store_head(4);
     other.levels[1].vertical_stress = std::nextafter(0.5e6, 1e6);
-    CHECK_THAT(refusal(file, other), Contains("level 1 has another vertical stress"));
+    CHECK_THAT(refusal(file, other),
+               Contains("has walls at 0.5 MPa, and another vertical stress is wanted"));
     CHECK(scenes::read_text(file) == before);
     CHECK(refusal(file, store_head(4)) == "not refused");
 }

@@ -1,4 +1,4 @@
-#include "app/study/pushed/points_error.hpp"
+#include "app/reading/points_error.hpp"
 
 #include "dem/scene/mechanism/points_excess.hpp"
 
