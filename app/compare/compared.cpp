@@ -126,6 +126,10 @@ Compared of_push(const fs::path& folder)
     } catch (const Json::exception&) {
         throw ConfigError(path, 0, "", "is not the summary of a push; push the wall again");
     }
+    if (!j.contains(summary_key(wall_number("peak_force"))))
+        throw ConfigError(path, 0, "",
+                          "is not the summary of a push, such as that of a wall that was "
+                          "shaken; give the folder of a push");
     Compared c;
     c.name = folder.filename().empty() ? folder.parent_path().filename().string()
                                        : folder.filename().string();

@@ -193,15 +193,15 @@ void check_out_folder(const Command& command)
                             "overwritten; give another folder");
 }
 
-/// Output made of a file of results lies beside it, output made of a study in runs/. A wall of
-/// a study has a folder of its own: paper_17_0.75.
+/// Output made of a file of results lies beside it, output made of a study in runs/. One of its
+/// random walls has a folder of its own, apart from the tables: paper_17_0.75.
 std::string default_out(const Verb& verb, const Command& command)
 {
     const fs::path read = command.study;
     const bool results = is_study_name(read.string());
     std::string name = read.stem().string();
     if (verb.name == "record") name = name.substr(0, name.find('(')); // of a pulse
-    if (results && verb.name == "push") {
+    if (verb.name == "push" && (results || command.sample || command.mean_wall)) {
         name += command.sample ? "_" + std::to_string(*command.sample) : "_mean";
         if (!command.level.empty())
             name +=

@@ -79,8 +79,9 @@ const dem::Snapshot& drop_or_end(const dem::PushResult& r)
 
 std::string end_name(const Study& study, const dem::PushResult& r)
 {
-    return r.at_drop ? "At " + percent_text(study.fragility.ultimate_share) + " of the peak"
-                     : "At the end";
+    return r.at_drop
+               ? "Just below " + percent_text(study.fragility.ultimate_share) + " of the peak"
+               : "At the end";
 }
 
 std::string mechanism_of(const Study& study, const dem::Layout& layout, const PushedWall& w)

@@ -46,6 +46,7 @@ constexpr double kStillGives = 0.05;
 constexpr double kNeverMore = 2.0; // a free choice
 // A wall that misses the accuracy is pushed again so many times slower.
 constexpr double kSlowdown = 2.0;
+constexpr double kNearPeak = 1.02; // a free choice: few states are kept on the way up
 // Error of the slower of two pushes, as a multiple of the change of its peak.
 constexpr double kChange =
     2.0; // a free choice: 1, if errors fall with the accuracy asked; 2.4, with its root
@@ -253,6 +254,9 @@ template <class Real> void WallRun::take_point(const WallState<Real>& state, int
         peak_ = std::abs(p.force);
         result_.at_drop.reset();
         if (task_->plan.snapshot_at_peak) result_.at_peak = snapshot();
+        if (peak_ > kNearPeak * std::abs(result_.near_peak.force))
+            result_.near_peak = take_faces(task_->model, task_->tables, state, lane,
+                                           drive_.position(), p.force);
     }
     if (task_->plan.drop > 0.0 && !result_.at_drop &&
         std::abs(p.force) <= task_->plan.drop * peak_)

@@ -117,6 +117,18 @@ bool fits(const MarginalForm& f, const Call& call)
     });
 }
 
+void refuse_decimal_comma(std::string_view text)
+{
+    const auto is_digit = [](unsigned char c) { return std::isdigit(c) != 0; };
+    for (std::size_t i = 1; i + 1 < text.size(); ++i) {
+        if (text[i] != ',' || !is_digit(text[i - 1]) || !is_digit(text[i + 1])) continue;
+        std::string point(text);
+        point[i] = '.';
+        throw BadValue("comma inside a number of " + in_quotes(text) +
+                       "; write a decimal point, " + in_quotes(point));
+    }
+}
+
 uq::Shape shape_of(Call& call, std::string_view unit)
 {
     for (const MarginalForm& f : uq::marginal_forms()) {
@@ -129,6 +141,7 @@ uq::Shape shape_of(Call& call, std::string_view unit)
         }
         if (values.size() == f.parameters.size()) return f.make(values);
     }
+    refuse_decimal_comma(call.text);
     throw BadValue(in_quotes(call.text) + " does not have the parameters of " +
                    std::string(call.name) + "; write " + forms_of(call.name) +
                    ", and from ..., to ... to cut it off");
@@ -197,7 +210,9 @@ uq::Marginal parse_distribution(std::string_view text, std::string_view unit)
     } catch (const BadValue&) {
         throw;
     } catch (const std::invalid_argument& bad) {
-        throw BadValue(in_quotes(text) + ": " + bad.what());
+        const std::string si(si_unit(unit));
+        throw BadValue(in_quotes(text) + ": " + bad.what() +
+                       (si == unit || si.empty() ? "" : " (numbers in " + si + ")"));
     }
 }
 

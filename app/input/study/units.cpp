@@ -93,6 +93,13 @@ std::string example(std::string_view number, const Unit& unit)
                    example("1", unit));
 }
 
+/// The unit that was probably meant: a wall of 200 m is one of 200 mm.
+const Unit& likely_unit(double number, const Unit& unit)
+{
+    constexpr double kNoWall = 50.0; // [m]
+    return unit.name == "m" && number >= kNoWall ? unit_named("mm") : unit;
+}
+
 struct Parts {
     double number = 0.0;
     std::string_view number_text;
@@ -214,7 +221,8 @@ std::vector<double> parse_quantities(std::string_view text, std::string_view uni
     }
     if (!unit.empty() && std::ranges::any_of(parts, is_bare)) {
         throw BadValue(is_bare(parts.back()) && is_bare(parts.front())
-                           ? "missing unit; write " + example(text, expected)
+                           ? "missing unit; write " +
+                                 example(text, likely_unit(parts.back().number, expected))
                            : "missing unit in " + in_quotes(text) +
                                  "; write it once at the end, or on each value");
     }

@@ -179,12 +179,20 @@ template <class Real>
 Snapshot take_snapshot(const Model& m, const StepTables& t, const WallState<Real>& state,
                        int lane, double drive, double force)
 {
+    Snapshot s = take_faces(m, t, state, lane, drive, force);
+    for (int b = 0; b < static_cast<int>(m.layout.blocks.size()); ++b)
+        s.blocks.push_back(block_now(m, t, state, lane, b, drive));
+    return s;
+}
+
+template <class Real>
+Snapshot take_faces(const Model& m, const StepTables& t, const WallState<Real>& state, int lane,
+                    double drive, double force)
+{
     const auto at = [lane](const Real& x) { return dem::lane(x, lane); };
     Snapshot s;
     s.displacement = drive;
     s.force = force;
-    for (int b = 0; b < static_cast<int>(m.layout.blocks.size()); ++b)
-        s.blocks.push_back(block_now(m, t, state, lane, b, drive));
     s.faces = empty_faces(m.layout);
     const std::vector<double> slip = slips(t, state, lane, drive);
     int number = 0;
@@ -219,6 +227,10 @@ template Snapshot take_snapshot(const Model&, const StepTables&, const WallState
                                 double, double);
 template Snapshot take_snapshot(const Model&, const StepTables&, const WallState<Pack>&, int,
                                 double, double);
+template Snapshot take_faces(const Model&, const StepTables&, const WallState<double>&, int,
+                             double, double);
+template Snapshot take_faces(const Model&, const StepTables&, const WallState<Pack>&, int,
+                             double, double);
 template double corner_displacement(const Model&, const StepTables&, const WallState<double>&,
                                     int, double);
 template double corner_displacement(const Model&, const StepTables&, const WallState<Pack>&,

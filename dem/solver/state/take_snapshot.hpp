@@ -12,6 +12,12 @@ template <class Real>
                                      const WallState<Real>& state, int lane, double drive,
                                      double force);
 
+/// The same without its blocks, which takes less time.
+template <class Real>
+[[nodiscard]] Snapshot take_faces(const Model& model, const StepTables& tables,
+                                  const WallState<Real>& state, int lane, double drive,
+                                  double force);
+
 /// Horizontal displacement of the upper right corner of the last block [m].
 template <class Real>
 [[nodiscard]] double corner_displacement(const Model& model, const StepTables& tables,

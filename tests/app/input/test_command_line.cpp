@@ -66,6 +66,8 @@ TEST_CASE("command line: what is made of a file of results lies beside it",
     CHECK(parse({"push", "far/house.h5", "--sample", "17", "--level", "0.4 MPa"}).out ==
           "far/house_17_0.4");
     CHECK(parse({"push", "far/house.h5", "--sample", "mean"}).out == "far/house_mean");
+    CHECK(parse({"push", "house.ini", "--sample", "mean"}).out == "runs/house_mean");
+    CHECK(parse({"push", "house.ini"}).out == "runs/house");
     CHECK(parse({"report", "far/house.h5", "--title", "North wall"}).title == "North wall");
 }
 

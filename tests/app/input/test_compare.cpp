@@ -124,6 +124,9 @@ TEST_CASE("compare: what cannot be compared is refused with its place", "[app][c
     CHECK(refusal(file_of(path("d.csv"), "displacement_mm,force_kN\n0,0\n"))
               .find("fewer than two points") != std::string::npos);
     CHECK(refusal(folder.path.string()).find("has no summary.json") != std::string::npos);
+    file_of(path("summary.json"), R"({"record": "a.AT2"})");
+    CHECK(refusal(folder.path.string()).find("is not the summary of a push") !=
+          std::string::npos);
     file_of(path("summary.json"), "{");
     CHECK(refusal(folder.path.string()).find("is not the summary of a push") !=
           std::string::npos);

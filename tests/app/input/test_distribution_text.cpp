@@ -97,3 +97,12 @@ TEST_CASE("distribution text: what is wrong is said, with what to write",
     CHECK_FALSE(app::is_distribution("running"));
     CHECK(app::is_distribution("normal(mean 1, cov 0.1)"));
 }
+
+TEST_CASE("distribution text: a decimal comma and numbers in SI are told", "[app][units]")
+{
+    CHECK_THROWS_WITH(app::parse_distribution("normal(mean 31,8 deg, cov 0.2)", "deg"),
+                      Catch::Contains("write a decimal point, \"normal(mean 31.8 deg, cov"));
+    CHECK_THROWS_WITH(app::parse_distribution("uniform(lower 5 MPa, upper 3 MPa)", "MPa"),
+                      Catch::Contains("upper end is 3000000") &&
+                          Catch::Contains("(numbers in Pa)"));
+}
