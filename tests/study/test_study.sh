@@ -251,7 +251,7 @@ claim_a_job_array_has_any_name_and_merges_its_shards() {
     sbatch() { printf '%s\n' "$@" >>sent; echo 7; }
     export -f sbatch
     bash job.sh --partition=x >/dev/null
-    grep -qxF -- "--output=$work/${name//%/%%}.logs/%a.log" sent || fail "$(cat sent)"
+    grep -qxF -- "--output=$work/${name//%/%%}.hdf5.logs/%a.log" sent || fail "$(cat sent)"
     refused 2 'give uq.samples' "$program" study "$name.ini" --slurm job.sh --set uq.stop=mixed_share
 }
 
