@@ -84,7 +84,7 @@ std::vector<Option> table()
         {"out", "PATH", "output directory or file (default: runs/<name of the study>; beside a FILE.h5 that is read)",
          "push scene stones study sample reliability fragility report sheet choices compare curves calibrate record surrogate shake", false,
          [](Command& c, Text v) { c.out = some_text(v); }},
-        {"set", "section.key=value", "value in place of the one in the study file; an empty one takes the key out; may be repeated",
+        {"set", "section.key=value", "value in place of the one in the study file; an empty one takes the key out; a path counts from the current folder; may be repeated",
          "push scene study sample reliability fragility sheet choices serve calibrate shake", true,
          [](Command& c, Text v) { c.overrides.push_back(v); }},
         {"threads", "N", "number of threads (default: " + std::to_string(default_threads()) + ", all of this machine)",

@@ -120,13 +120,13 @@ namespace {
 
 /// Files of records by their whole paths: the text may be read from another folder. A path that
 /// would not be read back as it is stays as given.
-std::string with_whole_paths(const std::string& records, const std::string& study_path)
+std::string with_whole_paths(const Entry& entry, const StudyFile& file)
 {
-    const std::filesystem::path folder = std::filesystem::path(study_path).parent_path();
+    const std::string& records = entry.value;
     bool any = false;
     std::string text;
     for (const std::string& part : split_outside_brackets(records)) {
-        const std::string path = whole_path((folder / part).string());
+        const std::string path = whole_path(path_from(file, entry.key, part).string());
         const bool is_whole =
             !path.empty() && path.find_first_of("#;,()\"") == std::string::npos;
         any = any || is_whole;
@@ -145,7 +145,7 @@ std::string written_value(const Key& key, const Entry* entry, const Study& study
     if (key.name == "unit.cracks_where") return study.cracks.where;
     if (key.name == "fragility.codes" && entry != nullptr) return study.fragility.codes;
     if (entry != nullptr && (key.name == "shaking.records" || key.name == "shaking.vertical"))
-        return with_whole_paths(entry->value, study.source.path);
+        return with_whole_paths(*entry, study.source);
     if (!study.load.scaled.empty()) {
         if (key.name == "load.protocol_scale") return "given";
         if (key.name == "load.max_displacement") return value_text(key, study);

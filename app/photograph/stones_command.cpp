@@ -57,10 +57,11 @@ void say(const FoundStones& found, const std::filesystem::path& folder)
               << "look at " << (folder / "found.png").string() << "; correct "
               << (folder / "stones.png").string()
               << ": a colour for each stone, black mortar, magenta openings\n"
-              << "then write into [wall] of a study, with the size of what the picture shows:\n"
+              << "then write into [wall] of a study, with the true width of what the picture "
+                 "shows in place of the ?; it is "
+              << number(1.0 * labels.rows / labels.columns, 3) << " times as high as wide:\n"
               << "  geometry = " << std::filesystem::absolute(folder / "stones.png").string()
-              << "\n  picture_width = 1.20 m\n  picture_height = "
-              << number(1.2 * labels.rows / labels.columns, 3) << " m\n";
+              << "\n  picture_width = ? m\n  picture_height = ? m\n";
 }
 
 } // namespace

@@ -1,8 +1,10 @@
 #include "app/scene/reading_again.hpp"
 
 #include "app/drawing/outlines/raw_drawing.hpp"
+#include "app/input/keys/study_keys.hpp"
 #include "app/input/study/study.hpp"
 #include "app/input/wall/wall_geometry.hpp"
+#include "app/output/picture/markup.hpp"
 #include "app/text/number_text.hpp"
 
 #include <algorithm>
@@ -37,6 +39,25 @@ std::string layer_stones_text(const Study& study)
     return text;
 }
 
+/// Keys of the study that are refused beside a drawing: "wall.length, wall.courses".
+std::string refused_keys(const Study& study)
+{
+    Study drawn = study;
+    drawn.geometry.file = "scene.dxf";
+    drawn.geometry.outlines.clear();
+    drawn.geometry.openings.clear();
+    drawn.geometry.rubble = false;
+    std::string text;
+    for (const Key& key : study_keys()) {
+        const Entry* const entry = find_entry(study.source, key.name);
+        if (entry == nullptr || entry->preset) continue;
+        const bool refused = key.used.refused && !is_used(key, drawn);
+        if (refused || key.name == "wall.outlines")
+            text += (text.empty() ? "" : ", ") + std::string(key.name);
+    }
+    return text;
+}
+
 } // namespace
 
 std::string reading_again_text(const Study& study, bool cracked)
@@ -49,6 +70,8 @@ std::string reading_again_text(const Study& study, bool cracked)
     const bool lintels = !in_courses(study) || study.wall.lintel_bearing > 0.0;
     if (lintels && !study.geometry.layers.empty())
         text += "layer_stones = " + layer_stones_text(study) + '\n';
+    if (const std::string refused = refused_keys(study); !refused.empty())
+        text += wrapped("Take out of the study: " + refused + '\n', terminal_width());
     return text;
 }
 

@@ -21,12 +21,14 @@ namespace {
 /// A wall whose top moves less in a second after the record has come to its residual drift [-].
 constexpr double kQuietDrift = 1e-4; // choice: a twentieth of the least limit of residual drift
 
-/// A file from the folder of the study. A study that was stored names it by its whole path, and
+/// A file that a key names. A study that was stored names it by its whole path, and
 /// both may have moved together.
-std::filesystem::path record_path(const StudyFile& file, const std::string& text)
+std::filesystem::path record_path(const StudyFile& file, const char* key,
+                                  const std::string& text)
 {
     const std::filesystem::path folder = std::filesystem::path(file.path).parent_path();
-    const std::filesystem::path there = folder / text, beside = folder / there.filename();
+    const std::filesystem::path there = path_from(file, key, text),
+                                beside = folder / there.filename();
     std::error_code error;
     const bool moved = std::filesystem::path(text).is_absolute() &&
                        !std::filesystem::exists(there, error) &&
@@ -44,7 +46,7 @@ std::vector<ground::GroundMotion> motions_of(const StudyFile& file, const char* 
     if (ground::is_pulse(text))
         return read_at(file, key,
                        [&] { return std::vector<ground::GroundMotion>{ground::pulse(text)}; });
-    const std::string path = record_path(file, text).string();
+    const std::string path = record_path(file, key, text).string();
     try {
         std::vector<ground::GroundMotion> all;
         for (ground::Record& r : ground::read_records(path)) {

@@ -35,7 +35,7 @@ struct ShakingMotion {
     std::optional<ground::GroundMotion> vertical; ///< scaled by the same factor, as long
 };
 
-/// Files of records are seen from the folder of the study.
+/// Files of records are found as path_from tells (app/input/study/study_file.hpp).
 /// @throws ConfigError
 [[nodiscard]] ShakingRecords shaking_records(const Study& study);
 

@@ -7,9 +7,12 @@
 #include "dem/scene/standing.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace dem {
@@ -39,6 +42,36 @@ bool is_level(const WallGeometry& wall, double z)
     return false;
 }
 
+std::string metres(double length)
+{
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.6g m", length);
+    return text.data();
+}
+
+/// "opening 2 (0.4 m, 0 m, 0.6 m, 1.2 m)": its number from 1, x, z, width and height.
+std::string name_of(const WallGeometry& wall, const Opening& o)
+{
+    return "opening " + std::to_string(&o - wall.openings.data() + 1) + " (" + metres(o.x) +
+           ", " + metres(o.z) + ", " + metres(o.width) + ", " + metres(o.height) + ")";
+}
+
+/// The floor or top of a course below a height that is neither, and that above.
+std::string nearest_levels(const WallGeometry& wall, double z)
+{
+    int c = 1;
+    while (c < wall.courses - 1 && top_of_course(wall, c) < z) ++c;
+    return metres(top_of_course(wall, c - 1)) + " or " + metres(top_of_course(wall, c));
+}
+
+void check_level(const WallGeometry& wall, const Opening& o, double z, const char* what)
+{
+    if (!is_level(wall, z))
+        throw std::invalid_argument(
+            name_of(wall, o) + " must begin and end between two courses; it " + what +
+            " at z = " + metres(z) + ": " + nearest_levels(wall, z) + " would fit");
+}
+
 void check(const WallGeometry& wall)
 {
     if (!(wall.courses >= 1 && wall.length > 0 && wall.thickness > 0 &&
@@ -51,9 +84,11 @@ void check(const WallGeometry& wall)
               o.x + o.width < wall.length + kSmallestPiece && o.z > -kSmallestPiece &&
               o.z + o.height < last + kSmallestPiece))
             throw std::invalid_argument(
-                "an opening must lie within the wall, below its top course");
-        if (!is_level(wall, o.z) || !is_level(wall, o.z + o.height))
-            throw std::invalid_argument("an opening must begin and end between two courses");
+                name_of(wall, o) + " must lie within the wall, from x = 0 to " +
+                metres(wall.length) + ", and below its top course, from z = 0 to " +
+                metres(last));
+        check_level(wall, o, o.z, "begins");
+        check_level(wall, o, o.z + o.height, "ends");
         for (const Opening& p : wall.openings)
             if (&p != &o && o.x < p.x + p.width - kSmallestPiece &&
                 p.x < o.x + o.width - kSmallestPiece && o.z < p.z + p.height - kSmallestPiece &&

@@ -223,7 +223,7 @@ constexpr std::array kRandomKeys = {
     Key{.name = "fragility.codes", .kind = Kind::text,
         .effect = kOwnCodes,
         .derived = {"none"},
-        .meaning = "a file of codes of your own, in the format of fragility/codes/codes.json, from the folder of the study (drystone help codes); or its text",
+        .meaning = "a file of codes of your own, in the format of fragility/codes/codes.json, from the folder of the study, with --set from the current folder (drystone help codes); or its text",
         .field = kAt<&Study::fragility, &FragilityInput::codes>},
     Key{.name = "fragility.user_states", .kind = Kind::text,
         .effect = kUserStates,

@@ -12,7 +12,7 @@ constexpr std::array kShakingDesigns = {named("crossed", ShakingDesign::crossed)
 constexpr std::array kShakingKeys = {
     Key{.name = "shaking.records", .kind = Kind::text, .verbs = "study shake",
         .derived = {"none: the ground is at rest"},
-        .meaning = "motions of the ground: files of records, seen from the folder of the study, pulses such as half_sine(peak 0.5 g, duration 0.3 s), or kanai_tajimi(peak 0.3 g, records 20), with commas between",
+        .meaning = "motions of the ground: files of records (from the folder of the study, with --set from the current folder), pulses such as half_sine(peak 0.5 g, duration 0.3 s), or kanai_tajimi(peak 0.3 g, records 20), with commas between",
         .field = kAt<&Study::shaking, &ShakingInput::records>},
     Key{.name = "shaking.intensities", .kind = Kind::text, .used = kShaken, .verbs = "study shake",
         .derived = {"the motions as they are"},
@@ -25,7 +25,7 @@ constexpr std::array kShakingKeys = {
         .meaning = "factor on all motions",
         .field = kAt<&Study::shaking, &ShakingInput::scale>},
     Key{.name = "shaking.vertical", .kind = Kind::text, .used = kShaken, .verbs = "study shake",
-        .meaning = "vertical motion, a file or a pulse, scaled as the horizontal one; none",
+        .meaning = "vertical motion, a file (found as shaking.records) or a pulse, scaled as the horizontal one; none",
         .field = kAt<&Study::shaking, &ShakingInput::vertical>},
     Key{.name = "shaking.contact_damping", .range = {'[', 0, 1000, ']'}, .used = kShaken, .verbs = "study shake",
         .meaning = "share of critical damping in dry contacts, for the normal motion of two blocks (docs/dynamics.md)",

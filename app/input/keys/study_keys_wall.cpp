@@ -132,7 +132,7 @@ constexpr Range kLength{'[', 0.001, 100, ']'}; // [m]
 // clang-format off
 constexpr std::array kWallKeys = {
     Key{.name = "wall.geometry", .kind = Kind::text,
-        .meaning = "a drawing of the blocks (.dxf, .json, .svg) or a picture of the stones (.png), in place of courses; from the folder of the study",
+        .meaning = "a drawing of the blocks (.dxf, .json, .svg) or a picture of the stones (.png), in place of courses; from the folder of the study, with --set from the current folder",
         .field = kAt<&Study::geometry, &GeometryInput::file>},
     Key{.name = "wall.outlines", .kind = Kind::text,
         .meaning = "outlines as text: \"x z\" corners in metres, counter-clockwise, separated by commas; stones separated by semicolons",

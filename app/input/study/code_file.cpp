@@ -16,8 +16,7 @@ bool is_written_out(std::string_view value) { return value.starts_with('{'); }
 
 std::string text_of_file(const Study& study, const std::string& name)
 {
-    const std::filesystem::path path =
-        std::filesystem::path(study.source.path).parent_path() / name;
+    const std::filesystem::path path = path_from(study.source, "fragility.codes", name);
     constexpr std::size_t kMost = 1 << 20; // bytes
     return read_bytes(path.string(), kMost, "is larger than 1 MiB, and no table of codes",
                       "fragility.codes names a file like fragility/codes/codes.json");
@@ -125,9 +124,8 @@ void read_own_codes(Study& study)
         if (inside)
             throw error_at(study.source, "fragility.codes",
                            bad.key + (bad.key.empty() ? "" : ": ") + bad.what());
-        throw ConfigError(
-            (std::filesystem::path(study.source.path).parent_path() / codes).string(), bad.line,
-            bad.key, bad.what());
+        throw ConfigError(path_from(study.source, "fragility.codes", codes).string(), bad.line,
+                          bad.key, bad.what());
     }
     codes = on_one_line(text);
 }

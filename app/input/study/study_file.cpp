@@ -151,6 +151,14 @@ const Entry* find_entry(const StudyFile& file, std::string_view key)
     return found == file.entries.end() ? nullptr : &*found;
 }
 
+std::filesystem::path path_from(const StudyFile& file, std::string_view key,
+                                const std::filesystem::path& written)
+{
+    const Entry* entry = find_entry(file, key);
+    if (entry != nullptr && entry->line == 0) return written;
+    return std::filesystem::path(file.path).parent_path() / written;
+}
+
 const SectionHeader* find_section(const StudyFile& file, std::string_view name)
 {
     const auto found = std::ranges::find_if(

@@ -4,6 +4,7 @@
 
 #include "app/text/config_error.hpp"
 
+#include <filesystem>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -53,6 +54,11 @@ struct StudyFile {
 {
     return find_entry(file, key) != nullptr;
 }
+
+/// The path of a file that the value of a key names: one written in a study counts from the
+/// folder of the study, one given with --set from the current folder.
+[[nodiscard]] std::filesystem::path path_from(const StudyFile& file, std::string_view key,
+                                              const std::filesystem::path& written);
 
 /// nullptr if the section is not opened.
 [[nodiscard]] const SectionHeader* find_section(const StudyFile& file, std::string_view name);

@@ -80,10 +80,7 @@ std::vector<dem::DrawnUnit> parse_outlines(GeometryInput& g)
 
 std::filesystem::path path_of(const Study& study)
 {
-    const std::filesystem::path path = study.geometry.file;
-    const Entry* entry = find_entry(study.source, "wall.geometry");
-    if (path.is_absolute() || entry == nullptr || entry->line == 0) return path;
-    return std::filesystem::path(study.source.path).parent_path() / path;
+    return path_from(study.source, "wall.geometry", study.geometry.file);
 }
 
 void read_file(Study& study)

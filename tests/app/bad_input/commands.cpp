@@ -31,7 +31,7 @@ const std::vector<BadCommand> kCommands = {
     {"a stone of one size", {"new", "house.ini", "--length", "3 m", "--height", "2.7 m", "--thickness", "0.5 m", "--material", "rubble_lime", "--unit", "0.3 m"},
         "drystone: --unit: \"0.3 m\" is not a length x height; write e.g. \"0.4 x 0.2 m\""},
     {"answers that make no wall", {"new", "house.ini", "--length", "3 m", "--height", "2.7 m", "--thickness", "0.5 m", "--material", "roughly_squared", "--unit", "0.6 x 0.3 m", "--stress", "0.2 MPa", "--openings", "0.3 m, 0 m, 0.9 m, 2.0 m"},
-        "drystone: new: these answers make no wall, and nothing was written: house.ini:19: wall.openings: an opening must begin and end between two courses"},
+        "drystone: new: these answers make no wall, and nothing was written: house.ini:19: wall.openings: opening 1 (0.3 m, 0 m, 0.9 m, 2 m) must begin and end between two courses; it ends at z = 2 m: 1.8 m or 2.1 m would fit"},
     {"an answer to another verb", {"push", "study.ini", "--stress", "1 MPa"},
         "drystone: --stress: not an option of push; leave it out"},
     {"a further stress for another verb", {"push", "study.ini", "--predict", "1 MPa"},

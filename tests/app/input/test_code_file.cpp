@@ -8,6 +8,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -56,6 +57,32 @@ TEST_CASE("code file: codes of a user are read from the folder of the study, and
     const app::Study study = study_beside(folder, kMine, "mine, ntc, ec8");
     CHECK(names(study) == std::vector<std::string>{"mine LS", "mine CP", "ntc SLV", "ec8 DL",
                                                    "ec8 SD", "ec8 NC"});
+}
+
+TEST_CASE(
+    "code file: a path of --set counts from the current folder, not from that of the study",
+    "[app][code_file]")
+{
+    const scenes::TemporaryFolder folder;
+    std::ofstream(folder.path / "mine.json") << kMine;
+    const std::filesystem::path here = std::filesystem::relative(folder.path / "mine.json");
+    const std::vector<std::string> given = {"fragility.codes=" + here.string()};
+    const app::StudyFile file = app::parse_study_text((folder.path / "wall.ini").string(),
+                                                      study_text("limit_states = mine\n"));
+    CHECK(names(app::read_study(app::with_overrides(file, given))) ==
+          std::vector<std::string>{"mine LS", "mine CP"});
+}
+
+TEST_CASE("study file: a path of the file counts from its folder, one of --set does not",
+          "[app][code_file]")
+{
+    const app::StudyFile file =
+        app::parse_study_text("configs/wall.ini", "[shaking]\nrecords = a.txt\n");
+    const std::vector<std::string> given = {"shaking.records=a.txt"};
+    const app::StudyFile set = app::with_overrides(file, given);
+    CHECK(app::path_from(file, "shaking.records", "a.txt") == "configs/a.txt");
+    CHECK(app::path_from(file, "shaking.records", "/b/a.txt") == "/b/a.txt");
+    CHECK(app::path_from(set, "shaking.records", "a.txt") == "a.txt");
 }
 
 TEST_CASE("code file: the drift limit of a user's code follows the mode and H0/D of the wall",

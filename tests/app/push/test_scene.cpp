@@ -208,6 +208,48 @@ TEST_CASE("scene command: lintels, exported and read again, stay whole", "[app][
     CHECK(app::layout_of(again).faces.size() == app::layout_of(study).faces.size());
 }
 
+TEST_CASE("scene command: the keys to take out leave a study that reads the drawing",
+          "[app][scene]")
+{
+    const scenes::TemporaryFolder folder;
+    std::string text = scene(kWall, folder.path, {"wall.openings=0.4 m, 0.2 m, 0.2 m, 0.2 m"});
+    std::ranges::replace(text, '\n', ' ');
+    const std::string begin = "Take out of the study: ";
+    REQUIRE(text.find(begin) != std::string::npos);
+    std::istringstream keys(text.substr(text.find(begin) + begin.size()));
+    std::vector<std::string> overrides = {"wall.geometry=" +
+                                          (folder.path / "scene.dxf").string()};
+    bool openings = false;
+    for (std::string key; keys >> key;) {
+        if (key.ends_with(',')) key.pop_back();
+        if (key == "wall.openings")
+            openings = true; // which the file does not have
+        else
+            overrides.push_back(key + "=");
+    }
+    CHECK(openings);
+    CHECK_NOTHROW(study_of(kWall, overrides));
+}
+
+TEST_CASE("study: an opening that does not fit is named, with the heights that would",
+          "[app][scene]")
+{
+    const auto wall = [](const std::string& openings) {
+        return study_of(kWall, {"wall.openings=" + openings});
+    };
+    CHECK_THROWS_WITH(
+        wall("0.4 m, 0 m, 0.2 m, 0.2 m; 0.7 m, 0.2 m, 0.2 m, 25 cm"),
+        Catch::Contains("opening 2 (0.7 m, 0.2 m, 0.2 m, 0.25 m) must begin and end "
+                        "between two courses; it ends at z = 0.45 m: 0.4 m or "
+                        "0.5 m would fit"));
+    CHECK_THROWS_WITH(wall("0.4 m, 0.25 m, 0.2 m, 0.15 m"),
+                      Catch::Contains("it begins at z = 0.25 m: 0.2 m or 0.3 m would fit"));
+    CHECK_THROWS_WITH(wall("0.4 m, 0 m, 0.2 m, 1 m"),
+                      Catch::Contains("opening 1 (0.4 m, 0 m, 0.2 m, 1 m) must lie within the "
+                                      "wall, from x = 0 to 1 m, and below its top course, from "
+                                      "z = 0 to 0.9 m"));
+}
+
 TEST_CASE("scene units: a unit that a crack parts is whole again, with its own corners",
           "[app][scene]")
 {

@@ -291,9 +291,10 @@ TEST_CASE("shake study: a record that has changed is refused in a sentence", "[a
                                              Contains("wave.txt\" has changed since"));
     CHECK(same_rows(before, study.rows("a.h5")));
     study.put_wave(1.0);
-    CHECK_THROWS_WITH(
-        study.run("a.h5", 1, {"shaking.records=wave.txt, half_sine(peak 1 g, duration 0.2 s)"}),
-        Contains("shaking.records: record 1 is"));
+    CHECK_THROWS_WITH(study.run("a.h5", 1,
+                                {"shaking.records=" + (study.path / "wave.txt").string() +
+                                 ", half_sine(peak 1 g, duration 0.2 s)"}),
+                      Contains("shaking.records: record 1 is"));
     CHECK_THROWS_WITH(study.run("b.h5", 1, {"uq.audit=1"}), Contains("uq.audit: pushes walls"));
     CHECK_FALSE(fs::exists(study.path / "b.h5"));
 }
