@@ -238,3 +238,42 @@ TEST_CASE("two heaps: the gain is that of the best parting, and none where a val
     CHECK(two_heaps(data, false) == 0.0);
     CHECK(two_heaps(fit_data::all_observed({1.0, 2.0, 3.0, 11.0, 12.0}), false) == 0.0);
 }
+
+TEST_CASE("limit quantiles: walls that all fell have a median between two of them, whatever "
+          "the band of their modes",
+          "[fragility][limit_quantiles]")
+{
+    // modes of one and of two walls have no law and no band
+    std::vector<ModeGroup> modes(3);
+    for (const double x : {0.387, 0.412, 0.448, 0.502, 0.561, 0.655, 0.703})
+        modes[0].limits.push_back(observed(x));
+    for (const double x : {0.741, 0.752}) modes[1].limits.push_back(observed(x));
+    modes[2].limits.push_back(observed(0.764));
+    const LimitQuantiles found = limits_of(modes);
+    REQUIRE(found.source == QuantileSource::mixture);
+    REQUIRE(found.at.size() == 5);
+    const core::Interval median = found.at[2].interval;
+    CHECK(median.lower >= 0.387);
+    CHECK(median.upper <= 0.764);
+    CHECK(median.lower < *found.at[2].value);
+    CHECK(median.upper > *found.at[2].value);
+    for (std::size_t i = 1; i < found.at.size(); ++i) {
+        CHECK(found.at[i].interval.lower >= found.at[i - 1].interval.lower);
+        CHECK(found.at[i].interval.upper >= found.at[i - 1].interval.upper);
+    }
+}
+
+TEST_CASE("limit quantiles: a lower bound of one share is one of all larger shares",
+          "[fragility][limit_quantiles]")
+{
+    // few walls, some of which stood: the band alone bounded 95 % and not 84 %
+    std::vector<ModeGroup> modes(2);
+    for (const double x : {0.45, 0.9, 1.3}) modes[0].limits.push_back(observed(x));
+    modes[0].limits.push_back(right_censored(1.82));
+    modes[1].limits = {observed(1.06), right_censored(1.82)};
+    const LimitQuantiles found = limits_of(modes);
+    REQUIRE(found.source == QuantileSource::mixture);
+    for (std::size_t i = 1; i < found.at.size(); ++i)
+        CHECK(found.at[i].interval.lower >= found.at[i - 1].interval.lower);
+    CHECK(found.at[3].interval.lower > 0.0);
+}
