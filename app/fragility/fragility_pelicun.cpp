@@ -2,73 +2,45 @@
 
 #include "app/fragility/numbers/drift_fits.hpp"
 #include "app/fragility/numbers/limit_drifts.hpp"
+#include "app/fragility/numbers/model_doubt.hpp"
 #include "app/output/picture/markup.hpp"
 #include "app/output/unique_names.hpp"
 #include "app/study/answers/fragility_text.hpp"
 #include "app/text/number_text.hpp"
-#include "core/fit_factors.hpp"
-#include "core/interval.hpp"
-#include "fragility/laws/standard_law.hpp"
 #include "fragility/limits/model_factor.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace app {
 namespace {
 
 struct Parameters {
-    double median; ///< with the factor of the model [rad]
+    double median; ///< that of limits_with_doubt [rad]
     fragility::Dispersions dispersion;
     double factor;   ///< median of that factor [-]
     bool doubted;    ///< else the dispersion is that from wall to wall alone
     double known_to; ///< drift up to which walls were seen [rad]
 };
 
-/// A lognormal law [unit of the data].
-struct WallLaw {
-    double median;
-    double dispersion;
-    double error; ///< of ln median; NaN: not known
-};
-
-/// The error of ln median that an interval of the confidence means; NaN where an end is open.
-double error_of(const core::Interval& median, double confidence)
-{
-    if (!(median.lower > 0.0) || !std::isfinite(median.upper))
-        return std::numeric_limits<double>::quiet_NaN();
-    const double deviates = 2.0 * core::fit_normal_factor(confidence);
-    return std::log(median.upper / median.lower) / deviates;
-}
-
-/// A lognormal law that has the three drifts about the middle; nothing where one of them is not
-/// known.
-std::optional<WallLaw> middle_law(const LimitDrifts& limits, double confidence)
+/// The 16, 50 and 84 % drifts of performance_limits; nothing where one of them is not known.
+std::optional<std::array<double, 3>> middle_drifts(const LimitDrifts& limits)
 {
     if (limits.quantiles.at.size() != fragility::kLimitShares.size()) return {};
     const auto& at = limits.quantiles.at;
     if (!at[1].value || !at[2].value || !at[3].value || !(*at[1].value > 0.0)) return {};
-    constexpr double kDeviates = 2.0 * 0.994457883209753; // of 16 and 84 %
-    return WallLaw{*at[2].value, std::log(*at[3].value / *at[1].value) / kDeviates,
-                   error_of(at[2].interval, confidence)};
+    return std::array{*at[1].value, *at[2].value, *at[3].value};
 }
 
-/// The lognormal law where one law describes all walls, and else a law through the middle of
-/// the mixture.
-std::optional<WallLaw> law_of(const DriftData& data, std::size_t g, std::size_t state,
-                              const LimitDrifts& limits)
+/// A lognormal law of the drift limit of piers, which has no error of the model: through the
+/// median, and the distance of the 16 and 84 % drifts.
+Parameters pier_parameters(const std::array<double, 3>& middle, double radians, double end)
 {
-    const auto source = limits.quantiles.source;
-    const auto middle = middle_law(limits, data.options.confidence);
-    if (fragility::is_mixture(source)) return middle;
-    const JudgedFit f = judged_lognormal(data, g, state);
-    if (source != fragility::QuantileSource::law || !middle || !describes(f)) return {};
-    if (std::ranges::any_of(limits.quantiles.at, &fragility::LimitQuantile::observed))
-        return middle;
-    return WallLaw{std::exp(f.fit.law.location), f.fit.law.dispersion, f.fit.location_error};
+    constexpr double kDeviates = 2.0 * 0.994457883209753; // of 16 and 84 %
+    const double material = std::log(middle[2] / middle[0]) / kDeviates;
+    return {middle[1] * radians, fragility::dispersions(material, 0.0, {}), 1.0, false, end};
 }
 
 /// Median and dispersion of a limit state [rad]; nothing without.
@@ -90,23 +62,33 @@ std::optional<Parameters> parameters(const DriftData& data, std::size_t g, std::
                    number(fragility::least_p(f.tests), 2) + ")";
     if (const std::string limit = limit_text(data, g, state); !limit.empty())
         reasons += name + limit;
-    const auto found = law_of(data, g, state, limits);
-    if (!found) {
+    const auto middle = middle_drifts(limits);
+    const bool by_law = limits.quantiles.source == fragility::QuantileSource::law;
+    if (!middle || !(mixed || (by_law && describes(f)))) {
         const auto& at = limits.quantiles.at;
         if (!at.empty() && !at[3].value)
             reasons += name + "84 % of the walls reach it beyond the drift tested, " +
                        number(end, 4) + " rad";
         return {};
     }
-    if (mixed) reasons += name + "through the 16, 50 and 84 % drifts of the mixture";
-    const std::string pier = pier_text(data, g, state);
-    if (!pier.empty()) reasons += name + "drift limit of " + pier + " of walls";
-    const fragility::ModelFactor factor =
-        pier.empty() ? data.groups[g].model.factor : fragility::ModelFactor{};
-    const bool doubted = pier.empty() && data.groups[g].model.source != "none";
-    return Parameters{found->median * radians * factor.median,
-                      fragility::dispersions(found->dispersion, found->error, factor),
-                      factor.median, doubted, end};
+    if (const std::string pier = pier_text(data, g, state); !pier.empty()) {
+        reasons += name + "drift limit of " + pier + " of walls";
+        return pier_parameters(*middle, radians, end);
+    }
+    const auto limit = doubted_limit(data, g, state);
+    const bool doubted = data.groups[g].model.source != "none";
+    const auto known = [](const fragility::QuantileBounds& q) {
+        return std::isfinite(q.upper) && q.upper <= q.lower * (1.0 + 1e-9);
+    };
+    if (!limit || !known(limit->quantiles[1]) ||
+        !std::isfinite(doubted ? limit->dispersion.total : limit->dispersion.material)) {
+        reasons += name + "limits_with_doubt has no median and dispersion of it";
+        return {};
+    }
+    if (!of_one_law(limits.quantiles))
+        reasons += name + "through the 16, 50 and 84 % drifts of the shares observed";
+    return Parameters{limit->quantiles[1].lower * radians, limit->dispersion,
+                      data.groups[g].model.factor.median, doubted, end};
 }
 
 std::vector<std::string> sets_of(const DriftData& data)

@@ -52,15 +52,37 @@ std::vector<LimitQuantile> from_shares(std::span<const Observation> walls, doubl
     return found;
 }
 
+/// The ends that the band of a mixture does not give, from the ranks of all walls.
+void mend(core::Interval& band, double value, const core::Interval& ranks)
+{
+    if (!(band.lower > 0.0)) band.lower = std::min(ranks.lower, value);
+    if (!std::isfinite(band.upper)) band.upper = std::max(ranks.upper, value);
+}
+
 std::vector<LimitQuantile> from_mixture(const std::vector<ModeGroup>& modes, double end,
                                         double confidence)
 {
     std::vector<LimitQuantile> found;
-    const auto mixture = mixture_quantiles(modes, kLimitShares, confidence);
+    auto mixture = mixture_quantiles(modes, kLimitShares, confidence);
+    if (const auto walls = all_walls(modes); std::ranges::all_of(walls, plain)) {
+        const auto seen = observed_quantiles(walls, kLimitShares, confidence);
+        for (std::size_t i = 0; i < seen.size(); ++i)
+            mend(mixture[i].interval, mixture[i].value, seen[i].interval);
+    }
     for (std::size_t i = 0; i < mixture.size(); ++i)
         found.push_back(
             cut(kLimitShares[i], mixture[i].value, mixture[i].interval, end, false));
     return found;
+}
+
+/// Quantiles do not fall with the share: what bounds one from below bounds all larger ones, and
+/// what bounds one from above bounds all smaller ones.
+void never_fall(std::vector<LimitQuantile>& at)
+{
+    for (std::size_t i = 1; i < at.size(); ++i)
+        at[i].interval.lower = std::max(at[i].interval.lower, at[i - 1].interval.lower);
+    for (std::size_t i = at.size(); i-- > 1;)
+        at[i - 1].interval.upper = std::min(at[i - 1].interval.upper, at[i].interval.upper);
 }
 
 /// The share reached at `end` as observed.
@@ -183,6 +205,7 @@ LimitQuantiles limit_quantiles(const QuantileData& data, const PerformanceLimits
         found.source = QuantileSource::observed;
         found.at = from_shares(walls, found.tested_to, confidence);
     }
+    never_fall(found.at);
     return found;
 }
 

@@ -63,6 +63,9 @@ struct QuantileData {
 /// observed: a second heap of walls beyond the end, which no test sees, bends the law there.
 /// All else is read from the shares observed. A quantile beyond tested_to is a lower bound: the
 /// smaller of the lower end of its interval and tested_to.
+/// Where the band of a mixture breaks (a mode of one or two walls has no band), an end of the
+/// interval that it does not give is that of the ranks of all walls, which need no law. A bound
+/// from below holds for all larger shares, and one from above for all smaller ones.
 /// @param law one law of all walls, from performance_limits of the same walls
 /// @throws std::invalid_argument for a confidence not in (0, 1), and for values that are not
 /// numbers

@@ -16,24 +16,26 @@ constexpr std::size_t kLawPoints = 1000;
 constexpr std::array kShares = {0.16, 0.50, 0.84};
 constexpr double kSixteen = 0.994457883209753; ///< of 84 % on the normal axis
 
-/// Smallest of the values at which their weights reach p; infinite where they do not. Rounding
-/// may leave a sum short of p.
+/// Sums of weights are rounded: those of 10 of 20 walls may lie on either side of one half.
+constexpr double kSumRounding = 1e-12;
+
+/// Smallest of the values at which their weights reach p; infinite where they do not.
 double step_quantile(const DriftDistribution& walls, double p)
 {
     double below = 0.0;
     for (std::size_t i = 0; i < walls.drifts.size(); ++i) {
         below += walls.weights[i];
-        if (below >= p - 1e-12) return walls.drifts[i];
+        if (below >= p - kSumRounding) return walls.drifts[i];
     }
     return core::kInfinity;
 }
 
-/// Quantile of the values times the factor.
+/// Quantile of the values times the factor; infinite where their weights only just reach p.
 /// @param last probability of values at `end`; the rest lies at infinity
 double smooth_quantile(const DriftDistribution& walls, double dispersion, double p, double last)
 {
     const double most = std::accumulate(walls.weights.begin(), walls.weights.end(), 0.0) + last;
-    if (!(most > p)) return core::kInfinity;
+    if (!(most > p + kSumRounding)) return core::kInfinity;
     const auto probability = [&](double log_x) {
         double sum = 0.0;
         for (std::size_t i = 0; i < walls.drifts.size(); ++i)
@@ -149,6 +151,41 @@ DoubtedLimit with_model_doubt(const DriftDistribution& walls, const core::Interv
         limit.median_interval = widened(median, own, middle.lower, factor.median_error);
     else
         limit.median_interval = {0.0, core::kInfinity, median.confidence};
+    return limit;
+}
+
+DoubtedLimit with_model_doubt(const Distribution& law, const core::Interval& median,
+                              double sampling, const ModelFactor& factor, double freedom)
+{
+    if (law.law != Law::lognormal)
+        return with_model_doubt(drift_distribution(law), median, sampling, factor);
+    const double own = std::exp(law.location);
+    if (std::isnan(sampling)) sampling = sampling_error(median, own);
+    DoubtedLimit limit;
+    limit.dispersion = dispersions(law.dispersion, sampling, factor);
+    const double t = std::isfinite(freedom)
+                         ? core::fit_student_factor(kShares[2] - kShares[0], freedom)
+                         : kSixteen;
+    const double walls = std::hypot(law.dispersion, std::isnan(sampling) ? 0.0 : sampling);
+    const double deviate = std::hypot(t * walls, kSixteen * model_dispersion(factor));
+    const double middle = factor.median * own;
+    const auto at = [&](double sign) {
+        const double x = middle * std::exp(sign * deviate);
+        return QuantileBounds{x, x};
+    };
+    limit.quantiles = {at(-1.0), at(0.0), at(1.0)};
+    limit.median_interval = widened(median, own, middle, factor.median_error);
+    return limit;
+}
+
+DoubtedLimit bounded_with_model_doubt(double above, double confidence,
+                                      const ModelFactor& factor)
+{
+    DoubtedLimit limit;
+    limit.quantiles.fill({0.0, core::kInfinity});
+    limit.quantiles[1].lower = factor.median * above;
+    limit.median_interval = {factor.median * above, core::kInfinity, confidence};
+    limit.dispersion = dispersions(kNotKnown, kNotKnown, factor);
     return limit;
 }
 

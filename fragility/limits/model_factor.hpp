@@ -60,7 +60,8 @@ struct Dispersions {
 
 /// A limit drift, or a force, with the doubt of the model.
 struct DoubtedLimit {
-    std::array<QuantileBounds, 3> quantiles{}; ///< 16, 50, 84 % [x], of a further wall
+    /// 16, 50, 84 % [x], of a further wall; a lower end of 0: not known
+    std::array<QuantileBounds, 3> quantiles{};
     core::Interval median_interval{}; ///< of the median: sampling and the median of the factor
     Dispersions dispersion{};
 };
@@ -71,5 +72,18 @@ struct DoubtedLimit {
 [[nodiscard]] DoubtedLimit with_model_doubt(const DriftDistribution& walls,
                                             const core::Interval& median, double sampling,
                                             const ModelFactor& factor);
+/// The same where one law describes the walls. A lognormal one stays lognormal: in ln x the
+/// deviate of a further wall is hypot(t s sqrt(1 + 1/n), z model), s sqrt(1 + 1/n) being
+/// material and sampling together and t Student's quantile.
+/// @param freedom degrees of freedom of the dispersion of a lognormal law, > 0; infinite: z
+[[nodiscard]] DoubtedLimit with_model_doubt(const Distribution& law,
+                                            const core::Interval& median, double sampling,
+                                            const ModelFactor& factor,
+                                            double freedom = core::kInfinity);
+/// Where nothing but a lower bound of the walls' median is known: that bound times the median
+/// of the factor, and no 16 and 84 %.
+/// @param above the bound [x], > 0
+[[nodiscard]] DoubtedLimit bounded_with_model_doubt(double above, double confidence,
+                                                    const ModelFactor& factor);
 
 } // namespace fragility

@@ -39,17 +39,10 @@ double basis_function(Basis kind, double share, int degree)
     return degree == 1 ? z : z * z - 1.0;
 }
 
-/// Largest degree for which the samples suffice.
-int degree_for(Eigen::Index samples, Eigen::Index inputs)
-{
-    if (samples >= 4 * (2 * inputs + 1)) return 2;
-    return samples >= 4 * (inputs + 1) ? 1 : 0;
-}
-
 /// Variance of the residual of an additive fit.
 double residual_variance(const Eigen::VectorXd& y, const Eigen::MatrixXd& shares, Basis kind)
 {
-    const int degree = degree_for(shares.rows(), shares.cols());
+    const int degree = latin_degree(shares.rows(), shares.cols());
     Eigen::MatrixXd columns = Eigen::MatrixXd::Ones(shares.rows(), 1 + degree * shares.cols());
     for (Eigen::Index c = 1; c < columns.cols(); ++c)
         for (Eigen::Index i = 0; i < columns.rows(); ++i)
@@ -61,6 +54,12 @@ double residual_variance(const Eigen::VectorXd& y, const Eigen::MatrixXd& shares
 }
 
 } // namespace
+
+int latin_degree(Eigen::Index samples, Eigen::Index inputs)
+{
+    if (samples >= 4 * (2 * inputs + 1)) return 2;
+    return samples >= 4 * (inputs + 1) ? 1 : 0;
+}
 
 double latin_mean_error(std::span<const double> y, const Eigen::MatrixXd& inputs)
 {

@@ -12,11 +12,13 @@
 
 namespace uq {
 
+/// Degree of the additive functions for which the samples suffice: 2 from 4 (2 inputs + 1) on,
+/// 1 from 4 (inputs + 1) on, else 0, where the error is that of independent samples.
+[[nodiscard]] int latin_degree(Eigen::Index samples, Eigen::Index inputs);
+
 /// Standard error of the mean of y: s / sqrt(n), with s the standard deviation of the residual
 /// of an additive regression on the ranks of the inputs. Its functions are Hermite polynomials
-/// of normal scores or cosines of ranks, whichever leave less; degree 2 while there are four
-/// samples for each coefficient, else 1 likewise, else 0, which is the error of independent
-/// samples.
+/// of normal scores or cosines of ranks, whichever leave less, of latin_degree.
 /// @param y  finite, at least 2  @param inputs  one row for each sample, one column for each
 /// independent input; values only rank
 /// @throws std::invalid_argument for other sizes, or a value that is not finite

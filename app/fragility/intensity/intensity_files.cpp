@@ -3,6 +3,7 @@
 #include "app/output/picture/markup.hpp"
 #include "app/text/number_text.hpp"
 #include "app/text/words.hpp"
+#include "fragility/laws/standard_law.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -98,40 +99,144 @@ std::pair<double, double> intensity_range(const IntensityData& data, std::size_t
     return {least, most};
 }
 
+/// Intensities over which a function holds [unit of the measure].
+struct ShownRange {
+    double least, most;
+};
+
+/// A lognormal curve at x [-].
+double reached_at(const fragility::IntensityCurve& c, double x)
+{
+    return fragility::StandardNormal::cdf(std::log(x / c.median) / c.dispersion);
+}
+
+/// Whether no curve exceeds the one before it within the range. Two lognormal curves cross at
+/// one intensity at most, so that both ends tell.
+bool ordered(const std::vector<StateCurve>& curves, const ShownRange& range)
+{
+    for (std::size_t i = 1; i < curves.size(); ++i)
+        for (const double x : {range.least, range.most})
+            if (reached_at(curves[i].curve, x) > reached_at(curves[i - 1].curve, x))
+                return false;
+    return true;
+}
+
+constexpr int kDigits = 6;
+
+/// The curves as lognormal laws of the intensity itself.
+std::string continuous_function(const IntensityData& data, const MeasureName& measure,
+                                const std::vector<StateCurve>& curves, const ShownRange& range)
+{
+    const auto shown = [&](double x) { return number(x / measure.value, kDigits); };
+    std::string text = "\" format=\"continuous\" shape=\"logncdf\">\n      <imls imt=\"" +
+                       measure.name + "\" noDamageLimit=\"" + shown(range.least) +
+                       "\" minIML=\"" + shown(range.least) + "\" maxIML=\"" +
+                       shown(range.most) + "\"/>\n";
+    for (const StateCurve& c : curves) {
+        const double b = c.curve.dispersion, mean = c.curve.median * std::exp(0.5 * b * b);
+        text += "      <params ls=\"" + state_word(data.states[c.state].name) + "\" mean=\"" +
+                shown(mean) + "\" stddev=\"" + shown(mean * std::sqrt(std::expm1(b * b))) +
+                "\"/>\n";
+    }
+    return text;
+}
+
+/// Curves that cross, by points: each is lifted to the severer ones where it lies below them,
+/// since the engine takes the difference of neighbours as the probability of a damage state.
+/// @param lifted the states that were
+std::string discrete_function(const IntensityData& data, const MeasureName& measure,
+                              const std::vector<StateCurve>& curves, const ShownRange& range,
+                              std::vector<std::string>& lifted)
+{
+    constexpr int kPoints = 60;
+    std::vector<double> at;
+    std::string text;
+    for (int i = 0; i < kPoints; ++i) {
+        at.push_back(range.least * std::pow(range.most / range.least, i / (kPoints - 1.0)));
+        text += (i == 0 ? "" : " ") + number(at.back() / measure.value, kDigits);
+    }
+    text = "\" format=\"discrete\">\n      <imls imt=\"" + measure.name +
+           "\" noDamageLimit=\"" + number(range.least / measure.value, kDigits) + "\">" + text +
+           "</imls>\n";
+    std::vector<double> severer(kPoints, 0.0);
+    std::string lines;
+    for (std::size_t k = curves.size(); k-- > 0;) {
+        const std::string& name = data.states[curves[k].state].name;
+        bool below = false;
+        std::string row;
+        for (std::size_t i = 0; i < at.size(); ++i) {
+            const double own = reached_at(curves[k].curve, at[i]);
+            below = below || own < severer[i];
+            severer[i] = std::max(severer[i], own);
+            row += (i == 0 ? "" : " ") + number(severer[i], kDigits);
+        }
+        if (below) lifted.push_back(name);
+        lines = "      <poes ls=\"" + state_word(name) + "\">" + row + "</poes>\n" + lines;
+    }
+    return text + lines;
+}
+
+std::string listed(const std::vector<std::string>& names)
+{
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+    return text;
+}
+
+/// Why states of the study are not in the file; empty where all are.
+std::string left_out_states(const IntensityData& data, const std::vector<std::size_t>& states)
+{
+    std::vector<std::string> residual, no_curve;
+    for (std::size_t s = 0; s < data.states.size(); ++s) {
+        if (std::ranges::count(states, s) > 0) continue;
+        const bool of_residual = data.states[s].of == IntensityResponse::residual;
+        (of_residual ? residual : no_curve).push_back(data.states[s].name);
+    }
+    std::string text;
+    if (!residual.empty())
+        text += "; left out, as residual drifts do not stand in one order with largest ones: " +
+                listed(residual);
+    if (!no_curve.empty())
+        text += "; left out, without a curve under " +
+                level_file(data.histories.levels.front()) + ": " + listed(no_curve);
+    return text;
+}
+
 } // namespace
 
 std::string openquake_xml(const IntensityData& data, const AllIntensityFits& fits)
 {
-    constexpr int kDigits = 6;
     const MeasureName measure = openquake_measure(data);
     // The engine wants the same limit states, in the same order, for all functions.
     std::vector<std::size_t> states;
     if (!measure.name.empty() && !fits.empty())
         for (const StateCurve& c : state_curves(data, fits.front(), false))
             states.push_back(c.state);
-    std::string functions;
+    std::string functions, remarks = left_out_states(data, states);
     for (std::size_t l = 0; l < fits.size() && !states.empty(); ++l) {
-        const std::vector<StateCurve> curves = state_curves(data, fits[l], false);
-        std::string lines;
-        for (const std::size_t s : states) {
-            const auto at = std::ranges::find(curves, s, &StateCurve::state);
-            if (at == curves.end()) break;
-            const double median = at->curve.median / measure.value, b = at->curve.dispersion;
-            const double mean = median * std::exp(0.5 * b * b);
-            lines += "      <params ls=\"" + state_word(data.states[s].name) + "\" mean=\"" +
-                     number(mean, kDigits) + "\" stddev=\"" +
-                     number(mean * std::sqrt(std::expm1(b * b)), kDigits) + "\"/>\n";
+        const std::string level = level_file(data.histories.levels[l]);
+        const std::vector<StateCurve> all = state_curves(data, fits[l], false);
+        std::vector<StateCurve> curves;
+        std::vector<std::string> missing, lifted;
+        for (const std::size_t s : states)
+            if (const auto at = std::ranges::find(all, s, &StateCurve::state); at != all.end())
+                curves.push_back(*at);
+            else
+                missing.push_back(data.states[s].name);
+        if (!missing.empty()) {
+            remarks += "; " + level + " left out, without a curve of " + listed(missing);
+            continue;
         }
-        if (static_cast<std::size_t>(std::ranges::count(lines, '\n')) != states.size())
-            continue; // a state without a curve under this stress
         const auto [least, most] = intensity_range(data, l);
+        const ShownRange range{0.1 * least, 2.0 * most};
         functions +=
-            "    <fragilityFunction id=\"wall_" + level_file(data.histories.levels[l]) +
-            "\" format=\"continuous\" shape=\"logncdf\">\n      <imls imt=\"" + measure.name +
-            "\" noDamageLimit=\"" + number(0.1 * least / measure.value, kDigits) +
-            "\" minIML=\"" + number(0.1 * least / measure.value, kDigits) + "\" maxIML=\"" +
-            number(2.0 * most / measure.value, kDigits) + "\"/>\n" + lines +
+            "    <fragilityFunction id=\"wall_" + level +
+            (ordered(curves, range) ? continuous_function(data, measure, curves, range)
+                                    : discrete_function(data, measure, curves, range, lifted)) +
             "    </fragilityFunction>\n";
+        if (!lifted.empty())
+            remarks += "; " + level +
+                       ": curves cross, lifted to those of severer states: " + listed(lifted);
     }
     if (functions.empty()) return {};
     std::string names;
@@ -144,8 +249,9 @@ std::string openquake_xml(const IntensityData& data, const AllIntensityFits& fit
            xml_name(data.histories.name) + ": walls of blocks shaken in their plane; " +
            measure.name + " in " + measure.unit +
            ", mean and stddev of the intensity itself; no error of the model; verified, not "
-           "validated</description>\n    <limitStates>" +
-           names + "</limitStates>\n" + functions + "  </fragilityModel>\n</nrml>\n";
+           "validated" +
+           xml_name(remarks) + "</description>\n    <limitStates>" + names +
+           "</limitStates>\n" + functions + "  </fragilityModel>\n</nrml>\n";
 }
 
 std::string intensity_pelicun_csv(const IntensityData& data, const AllIntensityFits& fits)

@@ -69,7 +69,9 @@ Table limit_table_of(const IntensityData& data, const AllIntensityFits& fits)
     if (!data.hazard.empty()) {
         t.head.push_back({"annual rate [1/a]", kInterval});
         t.caption += " Annual rate: the hazard curve over the curve; its upper end counts all "
-                     "that lies beyond the last point of the hazard, its value nothing of it.";
+                     "that lies beyond the last point of the hazard, its value nothing of it, "
+                     "and neither "
+                     "what lies below the first; it is no interval of the curve.";
     }
     t.head.push_back({"note", kNote});
     t.keys = 3;

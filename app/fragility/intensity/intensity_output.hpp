@@ -18,8 +18,11 @@ namespace app {
 using AllIntensityFits = std::vector<std::vector<IntensityFits>>;
 
 /// Fragility model for the OpenQuake engine (NRML 0.5): one function for each stress, with the
-/// drift states and collapse in the order of their medians. Empty where no state has a curve,
-/// or the measure is none that the engine knows.
+/// drift states and collapse in the order of their medians under the first stress. Where curves
+/// of a stress cross within the range of its intensities, its function is discrete and each
+/// curve is lifted to those of severer states: no damage state has a probability below 0. The
+/// description names states and stresses that were left out or lifted, and why. Empty where no
+/// state has a curve, or the measure is none that the engine knows.
 [[nodiscard]] std::string openquake_xml(const IntensityData& data,
                                         const AllIntensityFits& fits);
 

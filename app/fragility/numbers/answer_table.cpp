@@ -97,6 +97,13 @@ std::string doubted_text(const fragility::DoubtedLimit& limit)
     return drift_of(median) + (is_known(low) ? " (16 %: " + drift_of(low) + ")" : "");
 }
 
+/// Where no law can be fitted to the walls: the bound of their median, or that they are too
+/// few for one.
+std::string bound_text(const fragility::MedianBound& bound)
+{
+    return bound.median_bounded ? above(bound.median_above) : "too few walls";
+}
+
 std::string drift_text(const DriftData& data, std::size_t group, std::size_t state)
 {
     constexpr std::size_t kMedian = 2;
@@ -106,10 +113,11 @@ std::string drift_text(const DriftData& data, std::size_t group, std::size_t sta
     const std::string cap = limit_text(data, group, state),
                       pier = pier_text(data, group, state);
     const auto caps = fragility::caps(observed);
-    const auto drifts = limit_drifts(data, group, state).quantiles.at;
+    const LimitDrifts limits = limit_drifts(data, group, state);
+    const auto& drifts = limits.quantiles.at;
     std::string median;
-    if (drifts.empty())
-        median = above(fragility::common_end(observed));
+    if (drifts.empty() || (cap.empty() && !identified(limits)))
+        median = bound_text(limits.law.bound);
     else if (!drifts[kMedian].value)
         median = above(drifts[kMedian].interval.lower);
     else if (std::ranges::count(caps, *drifts[kMedian].value, &fragility::Cap::value) == 0)

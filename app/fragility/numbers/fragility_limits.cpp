@@ -10,24 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 namespace app {
 namespace {
-
-/// Why there are no numbers: where there are walls, for the law's own reason.
-std::string without_fit(const fragility::PerformanceLimits& limits, const DriftGroup& group)
-{
-    if (limits.n > 0.0 && limits.censored_share == 1.0)
-        return "Not identifiable: no wall reached it.";
-    if (limits.n > 0.0) {
-        constexpr std::string_view opening = "not identifiable: ";
-        const bool opened = limits.reason.starts_with(opening);
-        return "Not identifiable: " + limits.reason.substr(opened ? opening.size() : 0) + ".";
-    }
-    return group.walls.empty() ? "No wall gave a result."
-                               : "The limit state is not defined on any curve.";
-}
 
 /// Whether two limit states are read by one rule. Such states have one row.
 bool alike(const StateName& a, const StateName& b)
@@ -113,12 +98,12 @@ LimitsRow limits_row(const DriftData& data, const StateRow& at)
         r.source = alone ? "limit" : "observed";
         r.note =
             limit + (alone ? "." : ": the drifts are those observed (Kaplan-Meier), no law.");
-    } else if (r.drifts.law.fitted || fragility::is_mixture(q.source)) {
+    } else if (identified(r.drifts)) {
         r.source = source_text(q);
         r.note = source_note(r.drifts);
     } else {
         r.fitted = false;
-        r.note = without_fit(r.drifts.law, group);
+        r.note = not_identified_text(r.drifts, group);
     }
     r.piers = pier_text(data, at.g, at.state);
     if (!r.piers.empty()) add_sentence(r.note, "Drift limit of " + r.piers + " of walls.");

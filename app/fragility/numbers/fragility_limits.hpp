@@ -37,12 +37,12 @@ namespace app {
 
 /// One component per group, one limit state column group per limit state of one set, in the
 /// order of their medians (of the set, where one is missing): ID, Incomplete, Demand-Type,
-/// Demand-Unit, Demand-Offset, Demand-Directional, LS1-Family, LS1-Theta_0 (median [rad], with
-/// the factor of the model), LS1-Theta_1 (total dispersion; without a factor that from wall to
-/// wall), LS1-DamageStateWeights, ... Of a mixture of modes the law goes through the median,
-/// and through the distance of the 16 and 84 % drifts. Incomplete = 1 where no lognormal law
-/// describes a limit state, where 84 % of the walls reach it beyond the drift tested (its
-/// parameters are empty then), or where drifts have no known unit. No two rows have one ID.
+/// Demand-Unit, Demand-Offset, Demand-Directional, LS1-Family, LS1-Theta_0 (median [rad]) and
+/// LS1-Theta_1 (total dispersion; without a factor of the model that from wall to wall), both
+/// as drift_doubt_table has them, LS1-DamageStateWeights, ... Incomplete = 1 where walls
+/// without modes or heaps have no lognormal law that describes them, where 84 % of the walls
+/// reach a limit state beyond the drift tested (its parameters are empty then), or where drifts
+/// have no known unit. No two rows have one ID.
 /// Notes (pelicun passes them over): the group, the drift up to which walls were tested, and
 /// the parts of the dispersion.
 [[nodiscard]] std::string pelicun_csv(const DriftData& data);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 
 namespace app {
 namespace {
@@ -86,6 +87,25 @@ LimitDrifts limit_drifts(const DriftData& data, std::size_t group, std::size_t s
                                    quantile_data(data, group, state, end), law, confidence));
     }
     return found;
+}
+
+bool identified(const LimitDrifts& limits)
+{
+    return limits.law.fitted || fragility::is_mixture(limits.quantiles.source);
+}
+
+std::string not_identified_text(const LimitDrifts& limits, const DriftGroup& group)
+{
+    const fragility::PerformanceLimits& law = limits.law;
+    if (law.n > 0.0 && law.censored_share == 1.0)
+        return "Not identifiable: no wall reached it.";
+    if (law.n > 0.0) {
+        constexpr std::string_view opening = "not identifiable: ";
+        const bool opened = law.reason.starts_with(opening);
+        return "Not identifiable: " + law.reason.substr(opened ? opening.size() : 0) + ".";
+    }
+    return group.walls.empty() ? "No wall gave a result."
+                               : "The limit state is not defined on any curve.";
 }
 
 Number quantile_cell(const fragility::LimitQuantile& q, int decimals)

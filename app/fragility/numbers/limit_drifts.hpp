@@ -24,6 +24,14 @@ struct LimitDrifts {
 [[nodiscard]] LimitDrifts limit_drifts(const DriftData& data, std::size_t group,
                                        std::size_t state);
 
+/// Whether walls give drifts of a limit state. Else no law can be fitted (fewer than three
+/// walls, or fewer than two that reached it), and at most a bound of the median is known.
+[[nodiscard]] bool identified(const LimitDrifts& limits);
+
+/// Why they do not: "Not identifiable: no wall reached it."
+[[nodiscard]] std::string not_identified_text(const LimitDrifts& limits,
+                                              const DriftGroup& group);
+
 /// "2.45 [2.03, no limit]"; "> 2.72" where only a lower bound is known.
 [[nodiscard]] Number quantile_cell(const fragility::LimitQuantile& quantile, int decimals);
 

@@ -68,24 +68,23 @@ void add_drift(const DriftData& data, std::size_t g, std::size_t s, Table& t)
     const DriftGroup& group = data.groups[g];
     const auto observations = limits_of(group, s);
     Row row = {group_cell(group), names_of_row(data, s), count(observations.size())};
+    const std::string code = limit_text(data, g, s), pier = pier_text(data, g, s);
+    if (!code.empty()) return add_row(t, row, code + ": no property of the walls.");
+    if (!pier.empty())
+        return add_row(t, row,
+                       "Drift limit of " + pier +
+                           " of walls: the error of the model, at the ultimate drift, does not "
+                           "concern it.");
+    std::string note = unlike_text(group.model);
+    if (const LimitDrifts limits = limit_drifts(data, g, s); !identified(limits))
+        note = not_identified_text(limits, group) + (note.empty() ? "" : " ") + note;
     const auto limit = doubted_limit(data, g, s);
-    if (!limit) {
-        const std::string code = limit_text(data, g, s), pier = pier_text(data, g, s);
-        return add_row(
-            t, row,
-            !code.empty() ? code + ": no property of the walls."
-            : !pier.empty()
-                ? "Drift limit of " + pier +
-                      " of walls: the error of the model, at the ultimate drift, does "
-                      "not concern it."
-            : observations.empty() ? "No wall gave a result."
-                                   : "Too few walls reached it.");
-    }
+    if (!limit) return add_row(t, row, note);
     const bool all_reached = std::ranges::all_of(
         observations, [](const Observation& o) { return o.lower == o.upper; });
     const double end =
         all_reached ? kNoEnd : group.model.factor.median * known_to(observations);
-    add_row(t, joined(row, doubt_cells(*limit, group.model, end)), unlike_text(group.model));
+    add_row(t, joined(row, doubt_cells(*limit, group.model, end)), note);
 }
 
 std::vector<Head> doubt_head(const std::string& median, const std::string& low,
@@ -134,14 +133,18 @@ std::optional<DoubtedLimit> doubted_limit(const DriftData& data, std::size_t g,
     const fragility::ModelFactor& factor = group.model.factor;
     const double confidence = data.options.confidence;
     const LimitDrifts limits = limit_drifts(data, g, state);
+    if (!identified(limits)) {
+        const fragility::MedianBound& bound = limits.law.bound;
+        if (!bound.median_bounded || !(bound.median_above > 0.0)) return {};
+        return fragility::bounded_with_model_doubt(bound.median_above, confidence, factor);
+    }
     const JudgedFit& f = limits.judged;
     if (of_one_law(limits.quantiles)) {
         const auto median = fragility::profile_interval(
             f.fit, observations, fragility::quantile_of(0.5), confidence);
         const double error = fragility::uncertain(f.fit, fragility::median()).axis_error;
         const bool logarithmic = positive(f.fit.law.law);
-        return with_model_doubt(fragility::drift_distribution(f.fit.law), median,
-                                logarithmic ? error : kUnknown, factor);
+        return with_model_doubt(f.fit.law, median, logarithmic ? error : kUnknown, factor);
     }
     const auto walls =
         fragility::drift_distribution(fragility::kaplan_meier(observations, confidence));
@@ -183,15 +186,18 @@ Table force_doubt_table(const StudyWalls& walls)
             continue;
         }
         const AppliedFactor model = applied_factor(walls.study, level.stress, Answer::force);
-        const double error = log_peak_error(walls, level).value_or(p.sd / std::sqrt(p.n));
-        const double z = core::fit_normal_factor(walls.study.fragility.confidence);
-        const core::Interval median = {std::exp(p.mean - z * error),
-                                       std::exp(p.mean + z * error),
-                                       walls.study.fragility.confidence};
+        const SamplingError sampling =
+            log_peak_error(walls, level)
+                .value_or(SamplingError{p.sd / std::sqrt(p.n), p.n - 1.0});
+        const double confidence = walls.study.fragility.confidence;
+        const double half =
+            core::fit_student_factor(confidence, sampling.freedom) * sampling.error;
+        const core::Interval median = {std::exp(p.mean - half), std::exp(p.mean + half),
+                                       confidence};
         const fragility::Distribution law{fragility::Law::lognormal, p.mean, p.sd};
         add_row(t,
-                joined(row, doubt_cells(with_model_doubt(fragility::drift_distribution(law),
-                                                         median, error, model.factor),
+                joined(row, doubt_cells(with_model_doubt(law, median, sampling.error,
+                                                         model.factor, p.n - 1.0),
                                         model, kNoEnd)),
                 unlike_text(model));
     }

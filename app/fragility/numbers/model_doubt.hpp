@@ -11,9 +11,10 @@
 
 namespace app {
 
-/// A limit drift with the doubt of the model, from the law that describes the walls or else
-/// from the shares observed; nothing where there are no walls, or where a drift limit of a
-/// code, of a pier or of the user comes first.
+/// A limit drift with the doubt of the model: of one law of all walls where it gives all their
+/// drifts, and of the shares observed where these come from a mixture, two heaps or the shares;
+/// of walls that no law can be fitted to, the bound of their median alone. Nothing where the
+/// walls tell nothing, or where a drift limit of a code, of a pier or of the user comes first.
 [[nodiscard]] std::optional<fragility::DoubtedLimit>
 doubted_limit(const DriftData& data, std::size_t group, std::size_t state);
 

@@ -26,6 +26,13 @@ Eigen::MatrixXd inputs_of(const StudyWalls& walls, const StudyLevel& level)
     return inputs;
 }
 
+/// Degree of the additive part that the walls of a level tell; 0: they tell none.
+int additive_degree(const StudyWalls& walls, const StudyLevel& level)
+{
+    return uq::latin_degree(static_cast<Eigen::Index>(level.walls.size()),
+                            static_cast<Eigen::Index>(walls.inputs.size()));
+}
+
 struct Values {
     std::vector<double> y;
     std::vector<bool> member; ///< walls whose y counts
@@ -43,6 +50,11 @@ void add_mean(const StudyWalls& walls, const StudyLevel& level, const std::strin
     row.emplace_back(plain_number(e.value, decimals));
     row.emplace_back(plain_number(e.std_error, decimals + 1));
     const auto error = hypercube_error(walls, level, v.y, v.member);
+    if (!error && in_hypercube(walls.study))
+        return add_row(
+            t, row,
+            "Fewer than 4 (inputs + 1) = " + std::to_string(4 * (walls.inputs.size() + 1)) +
+                " walls do not tell what the hypercube removes.");
     if (!error)
         return add_row(t, row, "No Latin hypercube with one value of each input per wall.");
     row.emplace_back(plain_number(*error, decimals + 1));
@@ -65,11 +77,13 @@ std::optional<double> hypercube_error(const StudyWalls& walls, const StudyLevel&
                                       std::span<const double> y,
                                       const std::vector<bool>& member)
 {
-    if (!in_hypercube(walls.study) || std::ranges::count(member, true) < 2) return {};
+    if (!in_hypercube(walls.study) || additive_degree(walls, level) == 0 ||
+        std::ranges::count(member, true) < 2)
+        return {};
     return uq::latin_subset_error(y, member, inputs_of(walls, level));
 }
 
-std::optional<double> log_peak_error(const StudyWalls& walls, const StudyLevel& level)
+std::optional<SamplingError> log_peak_error(const StudyWalls& walls, const StudyLevel& level)
 {
     Values v;
     for (const StudyWall& w : level.walls) {
@@ -77,7 +91,12 @@ std::optional<double> log_peak_error(const StudyWalls& walls, const StudyLevel& 
         v.member.push_back(peak > 0.0);
         v.y.push_back(peak > 0.0 ? std::log(peak) : 0.0);
     }
-    return hypercube_error(walls, level, v.y, v.member);
+    const auto error = hypercube_error(walls, level, v.y, v.member);
+    if (!error) return {};
+    const auto coefficients =
+        1.0 + additive_degree(walls, level) * static_cast<double>(walls.inputs.size());
+    const auto n = static_cast<double>(std::ranges::count(v.member, true));
+    return SamplingError{*error, std::max(1.0, n - coefficients)};
 }
 
 Table sampling_error_table(const StudyWalls& walls)

@@ -16,18 +16,22 @@ namespace app {
 [[nodiscard]] bool in_hypercube(const Study& study);
 
 /// Standard error of the mean of y over the walls of the level that are members, under a
-/// hypercube (uq::latin_subset_error); nothing where the study has none, or of fewer than two
-/// members.
+/// hypercube (uq::latin_subset_error); nothing where the study has none, of fewer than two
+/// members, or of so few walls that the additive part cannot be told (uq::latin_degree).
 /// @param y, member  one for each wall of the level
 [[nodiscard]] std::optional<double> hypercube_error(const StudyWalls& walls,
                                                     const StudyLevel& level,
                                                     std::span<const double> y,
                                                     const std::vector<bool>& member);
 
-/// Standard error of the mean of ln peak force under a hypercube [-]; nothing where the study
-/// has none, or of fewer than two walls.
-[[nodiscard]] std::optional<double> log_peak_error(const StudyWalls& walls,
-                                                   const StudyLevel& level);
+struct SamplingError {
+    double error;   ///< standard error of a mean
+    double freedom; ///< its degrees of freedom, > 0
+};
+
+/// Standard error of the mean of ln peak force under a hypercube [-]; nothing as above.
+[[nodiscard]] std::optional<SamplingError> log_peak_error(const StudyWalls& walls,
+                                                          const StudyLevel& level);
 
 /// Mean peak force, share of each mode, and mean displacement of the walls that fell, with both
 /// errors.

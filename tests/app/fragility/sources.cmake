@@ -15,6 +15,7 @@ drystone_tests(app_fragility
         app/fragility/test_fragility_study.cpp
         app/fragility/test_fragility_text.cpp
         app/fragility/test_model_doubt.cpp
+        app/fragility/test_openquake.cpp
         app/fragility/test_pier_study.cpp
         app/fragility/test_solver_error.cpp
         app/fragility/test_tested_factor.cpp

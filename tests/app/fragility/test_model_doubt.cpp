@@ -1,5 +1,7 @@
+#include "app/fragility/numbers/answer_table.hpp"
 #include "app/fragility/numbers/fragility_limits.hpp"
 #include "app/fragility/numbers/model_doubt.hpp"
+#include "app/fragility/numbers/sampling_errors.hpp"
 #include "app/fragility/numbers/tested_walls.hpp"
 #include "app/input/prepared_study.hpp"
 #include "app/input/study/model_factor_text.hpp"
@@ -11,6 +13,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -146,7 +149,8 @@ TEST_CASE("model doubt: a study gives its own factor, or none", "[app][model_dou
 TEST_CASE("model doubt: the table has the limit times the factor, and its doubt in parts",
           "[app][model_doubt]")
 {
-    app::DriftData data = scenes::drifts({{1.0, 2.0, 4.0, 2.0}, {}, {1.0, -2.5, -2.5, -2.5}});
+    app::DriftData data =
+        scenes::drifts({{1.0, 2.0, 4.0, 2.0}, {}, {1.0, 1.2, -2.5, -2.5, -2.5}});
     data.groups[0].model = {{0.5, 0.4, 0.3}, "given", {}};
     data.groups[2].model = {{1.0, 0.4, 0.3}, "tests, median not applied", "they have openings"};
     const app::Table t = app::drift_doubt_table(data);
@@ -196,4 +200,116 @@ TEST_CASE("model doubt: forces have a factor of their own", "[app][model_doubt]"
           Approx(2.0 * number_in(without, 0, "median peak [kN]").value).epsilon(1e-3));
     CHECK(number_in(with, 0, "model").value == Approx(0.1));
     CHECK(number_in(without, 0, "model").value == 0.0);
+}
+
+TEST_CASE("model doubt: of walls that all stood the bound is times the factor's median",
+          "[app][model_doubt]")
+{
+    app::StudyWalls walls = scenes::study_walls(8);
+    walls.study.fragility.model_factor = "lognormal(median 0.8, sigma_log 0.4)";
+    walls.height = 1.0;
+    for (app::StudyLevel& level : walls.levels)
+        for (app::StudyWall& w : level.walls)
+            w.reading.limits.assign(w.reading.limits.size(),
+                                    {0.0035, fragility::Reading::censored, {}});
+    const app::DriftData data = app::drift_data(walls);
+    const app::Table answer = app::answer_table(walls, data);
+    CHECK(cell(answer, 0, "paper ultimate drift [%]") == "> 0.28");
+    const app::Table doubt = app::drift_doubt_table(data);
+    CHECK(scenes::sound(doubt));
+    CHECK(cell(doubt, 0, "median drift [%]") == ">= 0.280");
+    CHECK(cell(doubt, 0, "84 % drift [%]").empty());
+    CHECK(cell(doubt, 0, "note") == cell(app::performance_table(data), 0, "note"));
+    for (app::StudyLevel& level : walls.levels) level.walls.resize(4); // 95 % needs five
+    const app::DriftData few = app::drift_data(walls);
+    CHECK(cell(app::answer_table(walls, few), 0, "paper ultimate drift [%]") ==
+          "too few walls");
+    CHECK(cell(app::drift_doubt_table(few), 0, "median drift [%]").empty());
+}
+
+TEST_CASE("model doubt: two walls have no scatter that is known, and no 16 and 84 %",
+          "[app][model_doubt]")
+{
+    app::DriftData data = scenes::drifts({{1.0, 2.0}, {1.5}});
+    for (app::DriftGroup& g : data.groups) g.model = {{0.5, 0.4, 0.3}, "given", {}};
+    const app::Table doubt = app::drift_doubt_table(data);
+    const app::Table limits = app::performance_table(data);
+    REQUIRE(doubt.rows.size() == 2);
+    for (const std::size_t r : {0U, 1U}) {
+        CHECK_THAT(cell(doubt, r, "note"), Catch::Contains("a curve needs 3 walls"));
+        CHECK(cell(doubt, r, "note") == cell(limits, r, "note"));
+        for (const char* const head :
+             {"median drift [%]", "16 % drift [%]", "84 % drift [%]", "material", "total"})
+            CHECK(cell(doubt, r, head).empty());
+    }
+}
+
+TEST_CASE("model doubt: pelicun reads the row of the table, of a mixture too",
+          "[app][model_doubt]")
+{
+    app::DriftData data = scenes::drifts({{}});
+    data.groups[0].model = {{0.5, 0.4, 0.3}, "given", {}};
+    data.modes = {"rocking", "mixed"};
+    for (int i = -8; i <= 8; ++i) {
+        const double x = std::exp(0.05 * i);
+        data.groups[0].walls.push_back({1, {fragility::observed(1.5 * x * x)}});
+        if (i % 2 == 0) data.groups[0].walls.push_back({0, {fragility::observed(9.0 * x)}});
+    }
+    const app::Table t = app::drift_doubt_table(data);
+    const std::string text = app::pelicun_csv(data);
+    const auto at = text.find(",lognormal,");
+    REQUIRE(at != std::string::npos);
+    std::size_t read = 0;
+    const double median = std::stod(text.substr(at + 11), &read);
+    CHECK(median == Approx(0.01 * number_in(t, 0, "median drift [%]").value).epsilon(1e-5));
+    CHECK(std::stod(text.substr(at + 12 + read)) ==
+          Approx(number_in(t, 0, "total").value).epsilon(1e-5));
+    CHECK_THAT(text, Catch::Contains("rad,0,1,lognormal") && Catch::Contains(",0,Peak"));
+}
+
+TEST_CASE("model doubt: intervals of few peaks hold as often as they say",
+          "[app][model_doubt][repeats]")
+{
+    app::StudyWalls walls = scenes::study_walls(3);
+    walls.study.fragility.model_factor_force = "none";
+    walls.levels.resize(1);
+    constexpr int kStudies = 1000;
+    constexpr double kMedian = 50.0, kScatter = 0.2;
+    std::mt19937_64 random(20);
+    const auto normal = [&] { // Box and Muller: the same with every library
+        const auto uniform = [&] {
+            return (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53;
+        };
+        const double radius = std::sqrt(-2.0 * std::log(uniform()));
+        return radius * std::cos(6.283185307179586 * uniform());
+    };
+    int medians = 0, further = 0;
+    for (int i = 0; i < kStudies; ++i) {
+        for (app::StudyWall& w : walls.levels[0].walls)
+            w.reading.peak =
+                fragility::Peak{1e3 * kMedian * std::exp(kScatter * normal()), 0.01, false};
+        const app::Table t = app::force_doubt_table(walls);
+        const app::Number median = number_in(t, 0, "median peak [kN]");
+        medians += median.lower <= kMedian && kMedian <= median.upper ? 1 : 0;
+        const double next = kMedian * std::exp(kScatter * normal());
+        further += number_in(t, 0, "16 % peak [kN]").value <= next &&
+                           next <= number_in(t, 0, "84 % peak [kN]").value
+                       ? 1
+                       : 0;
+    }
+    // 95 and 68 %, within three standard errors; the normal quantile held 78 and 57 %
+    CHECK(medians / double{kStudies} == Approx(0.95).margin(0.021));
+    CHECK(further / double{kStudies} == Approx(0.68).margin(0.044));
+}
+
+TEST_CASE("model doubt: too few walls do not tell the error under a hypercube",
+          "[app][model_doubt]")
+{
+    // two inputs: 4 (2 + 1) walls are needed
+    const app::Table few = app::sampling_error_table(scenes::study_walls(11));
+    const app::Table enough = app::sampling_error_table(scenes::study_walls(12));
+    CHECK(cell(few, 0, "error, hypercube").empty());
+    CHECK_FALSE(cell(few, 0, "error, independent walls").empty());
+    CHECK_THAT(cell(few, 0, "note"), Catch::Contains("Fewer than 4 (inputs + 1) = 12 walls"));
+    CHECK_FALSE(cell(enough, 0, "error, hypercube").empty());
 }

@@ -238,3 +238,52 @@ TEST_CASE("two heaps: the gain is that of the best parting, and none where a val
     CHECK(two_heaps(data, false) == 0.0);
     CHECK(two_heaps(fit_data::all_observed({1.0, 2.0, 3.0, 11.0, 12.0}), false) == 0.0);
 }
+
+TEST_CASE("limit quantiles: walls that all fell have a median between two of them, whatever "
+          "the band of their modes",
+          "[fragility][limit_quantiles]")
+{
+    // a mode of one wall, and one that no law describes
+    std::vector<ModeGroup> modes(3);
+    for (const double x : {0.749, 0.741, 0.758}) modes[0].limits.push_back(observed(x));
+    for (const double x : {0.764, 0.390, 0.751, 0.748, 0.387, 0.752})
+        modes[1].limits.push_back(observed(x));
+    modes[1].described = false;
+    modes[2].limits.push_back(observed(0.759));
+    const LimitQuantiles found = limits_of(modes);
+    REQUIRE(found.source == QuantileSource::mixture);
+    REQUIRE(found.at.size() == 5);
+    const core::Interval median = found.at[2].interval;
+    CHECK(median.lower >= 0.387);
+    CHECK(median.upper <= 0.764);
+    CHECK(median.lower < *found.at[2].value);
+    CHECK(median.upper > *found.at[2].value);
+    for (std::size_t i = 1; i < found.at.size(); ++i) {
+        CHECK(found.at[i].interval.lower >= found.at[i - 1].interval.lower);
+        CHECK(found.at[i].interval.upper >= found.at[i - 1].interval.upper);
+    }
+}
+
+TEST_CASE("limit quantiles: a lower bound of one share is one of all larger shares",
+          "[fragility][limit_quantiles]")
+{
+    // few walls, some of which stood: the band alone bounded 95 % and not 84 %
+    std::vector<ModeGroup> modes(2);
+    modes[0].limits.push_back(observed(0.793));
+    for (const double x : {0.429, 0.865, 1.020}) modes[1].limits.push_back(observed(x));
+    for (int i = 0; i < 2; ++i) modes[1].limits.push_back(right_censored(1.82));
+    const LimitQuantiles found = limits_of(modes);
+    REQUIRE(found.source == QuantileSource::mixture);
+    for (std::size_t i = 1; i < found.at.size(); ++i)
+        CHECK(found.at[i].interval.lower >= found.at[i - 1].interval.lower);
+    CHECK(found.at[3].interval.lower > 0.0);
+    CHECK(found.at[4].interval.lower == Approx(0.978).margin(2e-3));
+    for (std::uint64_t which = 0; which < 300; ++which)
+        for (const double end : {4.0, core::kInfinity}) {
+            const auto at = limits_of(two_heaps(8, end, which)).at;
+            for (std::size_t i = 1; i < at.size(); ++i) {
+                CHECK(at[i].interval.lower >= at[i - 1].interval.lower);
+                CHECK(at[i].interval.upper >= at[i - 1].interval.upper);
+            }
+        }
+}

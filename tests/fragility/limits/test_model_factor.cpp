@@ -106,3 +106,44 @@ TEST_CASE("model factor: the sampling error comes from the side of the interval 
     CHECK(sampling({0.0, 2.0 * std::exp(kZ975 * 0.2), 0.95}) == Approx(0.2).epsilon(1e-9));
     CHECK(std::isnan(sampling({0.0, core::kInfinity, 0.95})));
 }
+
+TEST_CASE("model factor: weights that only just reach a share have no upper end there",
+          "[fragility][model_factor]")
+{
+    // ten of twenty walls, whose weights the sum rounds to one half and a bit
+    const DriftDistribution walls{{1.0, 2.0}, {0.25, 0.25 + 1.2e-16}, 0.5, 2.7};
+    REQUIRE(walls.weights[0] + walls.weights[1] > 0.5);
+    const QuantileBounds median = factored_quantile(walls, 0.8, 0.4, 0.5);
+    CHECK(std::isfinite(median.lower));
+    CHECK(std::isinf(median.upper));
+}
+
+TEST_CASE("model factor: of a lognormal law all is exact, whatever its dispersion rests on",
+          "[fragility][model_factor]")
+{
+    const ModelFactor factor{0.8, 0.3, 0.2};
+    const Distribution law{Law::lognormal, std::log(2.0), 0.5};
+    const DoubtedLimit known = with_model_doubt(law, around(2.0, 0.1), 0.1, factor);
+    const double total = std::sqrt(0.25 + 0.01 + 0.09 + 0.04);
+    CHECK(known.dispersion.material == 0.5);
+    CHECK(known.dispersion.total == Approx(total).epsilon(1e-12));
+    CHECK(known.quantiles[1].lower == Approx(1.6).epsilon(1e-12));
+    CHECK(known.quantiles[0].upper == Approx(1.6 * std::exp(-kZ84 * total)).epsilon(1e-12));
+    // two walls: Student's quantile with one degree of freedom is tan(0.34 pi)
+    const DoubtedLimit two = with_model_doubt(law, around(2.0, 0.1), 0.1, factor, 1.0);
+    const double deviate = std::hypot(std::tan(0.34 * 3.141592653589793) * std::hypot(0.5, 0.1),
+                                      kZ84 * std::hypot(0.3, 0.2));
+    CHECK(two.quantiles[2].lower == Approx(1.6 * std::exp(deviate)).epsilon(1e-9));
+    CHECK(two.dispersion.total == known.dispersion.total);
+}
+
+TEST_CASE("model factor: a bound of the median is times the factor's median, and no more",
+          "[fragility][model_factor]")
+{
+    const DoubtedLimit limit = bounded_with_model_doubt(0.35, 0.95, {0.8, 0.4, 0.2});
+    CHECK(limit.quantiles[1].lower == Approx(0.28));
+    CHECK(std::isinf(limit.quantiles[1].upper));
+    CHECK(limit.quantiles[0].lower == 0.0);
+    CHECK(limit.quantiles[2].lower == 0.0);
+    CHECK(std::isnan(limit.dispersion.total));
+}
