@@ -67,8 +67,8 @@ TEST_CASE(
     std::ofstream(folder.path / "mine.json") << kMine;
     const std::filesystem::path here = std::filesystem::relative(folder.path / "mine.json");
     const std::vector<std::string> given = {"fragility.codes=" + here.string()};
-    const app::StudyFile file = app::parse_study_text((folder.path / "wall.ini").string(),
-                                                      study_text("limit_states = mine\n"));
+    const app::StudyFile file = app::parse_study_text( // no way leads through its folder
+        (folder.path / "none" / "wall.ini").string(), study_text("limit_states = mine\n"));
     CHECK(names(app::read_study(app::with_overrides(file, given))) ==
           std::vector<std::string>{"mine LS", "mine CP"});
 }
