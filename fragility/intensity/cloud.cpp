@@ -215,6 +215,11 @@ double exceedance(const CloudFit& standing, const CollapseFit& collapse, double 
     return exceedance(standing, threshold, intensity) * (1.0 - fallen) + fallen;
 }
 
+double share_reached(const IntensityCurve& curve, double x)
+{
+    return StandardNormal::cdf(std::log(x / curve.median) / curve.dispersion);
+}
+
 IntensityCurve cloud_curve(const CloudFit& fit, double threshold)
 {
     return {std::exp((std::log(threshold) - fit.intercept) / fit.slope), fit.sigma / fit.slope};

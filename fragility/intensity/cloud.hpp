@@ -65,6 +65,9 @@ struct IntensityCurve {
     double dispersion; ///< standard deviation of ln x [-]
 };
 
+/// Share of the walls that have reached the state at intensity x [-]. @param x >= 0
+[[nodiscard]] double share_reached(const IntensityCurve& curve, double x);
+
 /// Curve of a cloud with a slope above 0: median (threshold / e^intercept)^(1 / slope),
 /// dispersion sigma / slope.
 [[nodiscard]] IntensityCurve cloud_curve(const CloudFit& fit, double threshold);

@@ -3,7 +3,6 @@
 #include "app/output/picture/markup.hpp"
 #include "app/text/number_text.hpp"
 #include "app/text/words.hpp"
-#include "fragility/laws/standard_law.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -104,19 +103,13 @@ struct ShownRange {
     double least, most;
 };
 
-/// A lognormal curve at x [-].
-double reached_at(const fragility::IntensityCurve& c, double x)
-{
-    return fragility::StandardNormal::cdf(std::log(x / c.median) / c.dispersion);
-}
-
 /// Whether no curve exceeds the one before it within the range. Two lognormal curves cross at
 /// one intensity at most, so that both ends tell.
 bool ordered(const std::vector<StateCurve>& curves, const ShownRange& range)
 {
     for (std::size_t i = 1; i < curves.size(); ++i)
         for (const double x : {range.least, range.most})
-            if (reached_at(curves[i].curve, x) > reached_at(curves[i - 1].curve, x))
+            if (share_reached(curves[i].curve, x) > share_reached(curves[i - 1].curve, x))
                 return false;
     return true;
 }
@@ -165,7 +158,7 @@ std::string discrete_function(const IntensityData& data, const MeasureName& meas
         bool below = false;
         std::string row;
         for (std::size_t i = 0; i < at.size(); ++i) {
-            const double own = reached_at(curves[k].curve, at[i]);
+            const double own = share_reached(curves[k].curve, at[i]);
             below = below || own < severer[i];
             severer[i] = std::max(severer[i], own);
             row += (i == 0 ? "" : " ") + number(severer[i], kDigits);
@@ -176,7 +169,7 @@ std::string discrete_function(const IntensityData& data, const MeasureName& meas
     return text + lines;
 }
 
-std::string listed(const std::vector<std::string>& names)
+std::string with_commas(const std::vector<std::string>& names)
 {
     std::string text;
     for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
@@ -195,10 +188,10 @@ std::string left_out_states(const IntensityData& data, const std::vector<std::si
     std::string text;
     if (!residual.empty())
         text += "; left out, as residual drifts do not stand in one order with largest ones: " +
-                listed(residual);
+                with_commas(residual);
     if (!no_curve.empty())
         text += "; left out, without a curve under " +
-                level_file(data.histories.levels.front()) + ": " + listed(no_curve);
+                level_file(data.histories.levels.front()) + ": " + with_commas(no_curve);
     return text;
 }
 
@@ -224,7 +217,7 @@ std::string openquake_xml(const IntensityData& data, const AllIntensityFits& fit
             else
                 missing.push_back(data.states[s].name);
         if (!missing.empty()) {
-            remarks += "; " + level + " left out, without a curve of " + listed(missing);
+            remarks += "; " + level + " left out, without a curve of " + with_commas(missing);
             continue;
         }
         const auto [least, most] = intensity_range(data, l);
@@ -235,8 +228,8 @@ std::string openquake_xml(const IntensityData& data, const AllIntensityFits& fit
                                     : discrete_function(data, measure, curves, range, lifted)) +
             "    </fragilityFunction>\n";
         if (!lifted.empty())
-            remarks += "; " + level +
-                       ": curves cross, lifted to those of severer states: " + listed(lifted);
+            remarks += "; " + level + ": curves cross, lifted to those of severer states: " +
+                       with_commas(lifted);
     }
     if (functions.empty()) return {};
     std::string names;

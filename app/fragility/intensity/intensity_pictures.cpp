@@ -2,7 +2,6 @@
 #include "app/fragility/intensity/intensity_output.hpp"
 #include "app/output/picture/chart_svg.hpp"
 #include "app/study/stored/study_walls.hpp"
-#include "fragility/laws/standard_law.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -65,8 +64,7 @@ NamedPicture curves_of(const IntensityData& data, const std::vector<IntensityFit
         }
         const auto& fit = *fits[s].by[*chosen];
         const auto probability = [&](double x, double median) {
-            return fragility::StandardNormal::cdf(std::log(x / median) /
-                                                  fit.fit.curve.dispersion);
+            return fragility::share_reached({median, fit.fit.curve.dispersion}, x);
         };
         Series line;
         line.name = data.states[s].name + ", " + kIntensityMethods[*chosen].second;
