@@ -112,14 +112,25 @@ template <class Real> [[nodiscard]] Real exp_beyond(Real x)
 
 /// Pressure and shear stiffness of a joint that has closed.
 template <Closure kClosure, class Real> struct Closed {
-    Real p;        ///< [Pa]
-    Real root_ks;  ///< sqrt(k_s) [sqrt(Pa/m)]
-    Real relative; ///< sqrt(1 + p / (k_0 V)); of a hyperbola its inverse [-]
-    /// 1 / root_ks. Most contacts have no use for it, and a division takes long.
+    Real p;    ///< [Pa]
+    Real root; ///< sqrt(k_s) over that without pressure, sqrt(1 + p / (k_0 V)) [-]
+    /// sqrt(k_s) and 1 / sqrt(k_s) [sqrt(Pa/m)]. Most contacts have no use for the second, and
+    /// a division takes long.
+    [[nodiscard]] Real root_ks(const ClosureLaw<Real>& law) const { return law.root_ks * root; }
     [[nodiscard]] Real inverse_root_ks(const ClosureLaw<Real>& law) const
     {
-        if constexpr (kClosure == Closure::hyperbolic) return law.inv_root_ks * relative;
-        return law.inv_root_ks * (Real(1.0) / relative);
+        return law.inv_root_ks * (Real(1.0) / root);
+    }
+};
+
+/// A hyperbola has the inverse without a division.
+template <class Real> struct Closed<Closure::hyperbolic, Real> {
+    Real p, root;
+    Real inverse; ///< 1 / root [-]
+    [[nodiscard]] Real root_ks(const ClosureLaw<Real>& law) const { return law.root_ks * root; }
+    [[nodiscard]] Real inverse_root_ks(const ClosureLaw<Real>& law) const
+    {
+        return law.inv_root_ks * inverse;
     }
 };
 
@@ -131,10 +142,10 @@ closed_by(const ClosureLaw<Real>& law, Real w)
     constexpr bool kHyperbolic = kClosure == Closure::hyperbolic;
     const Real one(1.0), within = min(w, law.knee), x = within * law.inv_maximum;
     const auto beyond = w > law.knee;
-    Real p, root, relative; // root of 1 + p / (k_0 V)
+    Real p, root, inverse;
     if constexpr (kHyperbolic) {
         root = inverse_root(one - x);
-        relative = (one - x) * root;
+        inverse = (one - x) * root;
         p = law.k0 * within * (root * root);
     } else {
         root = exp_of(Real(0.5) * x);
@@ -143,11 +154,13 @@ closed_by(const ClosureLaw<Real>& law, Real w)
     if (any(beyond)) {
         const Real farther = multiply_add(law.stiffest, w - within, p);
         root = select(beyond, sqrt(multiply_add(farther, law.inv_rise, one)), root);
-        if constexpr (kHyperbolic) relative = select(beyond, one / root, relative);
+        if constexpr (kHyperbolic) inverse = select(beyond, one / root, inverse);
         p = select(beyond, farther, p);
     }
-    if constexpr (!kHyperbolic) relative = root;
-    return {p, law.root_ks * root, relative};
+    if constexpr (kHyperbolic)
+        return {p, root, inverse};
+    else
+        return {p, root};
 }
 
 /// p [Pa]. @param w >= 0 [m]
@@ -225,17 +238,16 @@ template <class Real> struct ClosingUpdate {
     Real pressure;   ///< p [Pa]
 };
 
-/// A dry joint that closes. |tau| <= P tan_phi
+/// A dry joint that has closed. |tau| <= P tan_phi
 /// @param kLoses whether any lane has mu > 0
+/// @param closed by the opening u_n after this step
 template <Closure kClosure, bool kLoses, class Real>
-[[nodiscard]] ClosingUpdate<Real> advance_closing(const ClosureLaw<Real>& law, Real tan_phi,
-                                                  const ClosingState<Real>& s, Real du_n,
-                                                  Real du_s)
+[[nodiscard, gnu::always_inline]] inline ClosingUpdate<Real>
+slide_closed(const ClosureLaw<Real>& law, Real tan_phi, const ClosingState<Real>& s, Real u_n,
+             const Closed<kClosure, Real>& closed, Real du_s)
 {
-    const Real zero(0.0), half(0.5);
-    const Real u_n = s.u_n + du_n, w = max(zero, -u_n);
-    const Closed<kClosure, Real> closed = closed_by<kClosure>(law, w);
-    const Real p = closed.p, root = closed.root_ks;
+    const Real zero(0.0), half(0.5), w = max(zero, -u_n);
+    const Real p = closed.p, root = closed.root_ks(law);
     Real acting = p, rest = s.rest, lost = zero;
     if constexpr (kLoses) {
         const Real most = law.mu * p;
@@ -257,7 +269,8 @@ template <Closure kClosure, bool kLoses, class Real>
     const Real tau = max(-limit, min(limit, tau_trial));
     const auto slips = abs(tau_trial) > limit;
     Real shear = trial, slid = zero, slip = zero;
-    if (any(slips)) { // few contacts slip, and a division takes as long as the rest
+    // A hyperbola has its inverse without a division, which takes longer than the rest.
+    if (kClosure == Closure::hyperbolic || any(slips)) {
         const Real inverse = closed.inverse_root_ks(law);
         shear = select(slips, tau * inverse, trial);
         slid = trial - shear;
@@ -270,6 +283,17 @@ template <Closure kClosure, bool kLoses, class Real>
             lost,
             slip,
             p};
+}
+
+/// A dry joint that closes and slides.
+template <Closure kClosure, bool kLoses, class Real>
+[[nodiscard, gnu::always_inline]] inline ClosingUpdate<Real>
+advance_closing(const ClosureLaw<Real>& law, Real tan_phi, const ClosingState<Real>& s,
+                Real du_n, Real du_s)
+{
+    const Real u_n = s.u_n + du_n;
+    return slide_closed<kClosure, kLoses>(law, tan_phi, s, u_n,
+                                          closed_by<kClosure>(law, max(Real(0.0), -u_n)), du_s);
 }
 
 /// crushed_by() of a joint that closes: until p is the strength that is left.

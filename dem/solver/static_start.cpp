@@ -66,9 +66,10 @@ template <Closure kClosure> void closing_stress(const StepTables& t, WallState<d
         const ClosureLaw<double>& c = s.laws.closing[run.law];
         for (int k = run.first; k < run.first + run.count; ++k) {
             const double u_n = s.du[2 * k];
-            const auto [p, root, relative] = closed_by<kClosure>(c, max(0.0, -u_n));
+            const auto closed = closed_by<kClosure>(c, max(0.0, -u_n));
             s.u_n[k] = u_n;
-            s.stress[2 * k] = u_n < 0.0 ? -p : c.k0 * u_n;
+            s.stress[2 * k] = u_n < 0.0 ? -closed.p : c.k0 * u_n;
+            const double root = closed.root_ks(c);
             s.stress[2 * k + 1] = root * root * s.du[2 * k + 1];
         }
     }

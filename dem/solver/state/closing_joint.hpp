@@ -6,6 +6,7 @@
 #include "dem/scene/layout.hpp"
 #include "dem/solver/state/wall_state.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -54,49 +55,6 @@ template <Closure kClosure, class Real>
     return mean * by + select(opens > zero, released, zero);
 }
 
-/// Advances one contact that may crush as it closes.
-/// @param area of before this step, over which the energy of crushing counts [m2]
-template <Closure kClosure, bool kLoses, class Real>
-[[gnu::noinline]] ClosingUpdate<Real> crush_and_close(int law, const ClosureLaw<Real>& closing,
-                                                      Real tan_phi, int k, Real du_n, Real du_s,
-                                                      Real area, WallState<Real>& s)
-{
-    const ClosingState<Real> before = closing_state(s, k);
-    const Real by = crushed_by<kClosure>(s.laws.dry_crushing[law], closing, s.crushed[k],
-                                         before.u_n + du_n);
-    const ClosingUpdate<Real> u =
-        advance_closing<kClosure, kLoses>(closing, tan_phi, before, du_n + by, du_s);
-    const auto crushes = by > Real(0.0);
-    if (!any(crushes)) return u;
-    const Real work = work_of_crushing<kClosure>(closing, before, s.stress[2 * k], by, u);
-    s.crushing = multiply_add(area, select(crushes, work, Real(0.0)), s.crushing);
-    s.crushed[k] += by;
-    return u;
-}
-
-/// Advances one contact: crushing, closure, friction, wear.
-/// @param area of before this step, over which the energy of crushing counts [m2]
-/// @param closing, tan_phi of that law; a copy of its own lets the numbers stay in registers
-template <Closure kClosure, bool kLoses, class Real>
-[[gnu::always_inline]] inline ClosingUpdate<Real>
-advance_closing_contact(int law, const ClosureLaw<Real>& closing, Real tan_phi, int k,
-                        Real du_n, Real du_s, Real area, WallState<Real>& s)
-{
-    const bool wears = !s.roughness.empty();
-    if (wears) tan_phi = worn_law(s, law, k).tan_phi;
-    const ClosingUpdate<Real> u =
-        s.crushed.empty()
-            ? advance_closing<kClosure, kLoses>(closing, tan_phi, closing_state(s, k), du_n,
-                                                du_s)
-            : crush_and_close<kClosure, kLoses>(law, closing, tan_phi, k, du_n, du_s, area, s);
-    if (wears)
-        s.roughness[k] = roughness_after(s.laws.dry_wear[law], s.roughness[k], u.slip, u.sigma);
-    set_contact(s, k, u.state.u_n, u.sigma, u.tau);
-    s.shear[k] = u.state.shear;
-    if constexpr (kLoses) s.rest[k] = u.state.rest;
-    return u;
-}
-
 /// Normal, under load, and tangential [Pa/m].
 struct JointStiffness {
     double kn, ks;
@@ -107,8 +65,9 @@ template <Closure kClosure>
 [[nodiscard]] JointStiffness stiffness_of(const WallState<double>& s, int law, int k)
 {
     const ClosureLaw<double>& c = s.laws.closing[law];
-    const auto [p, root, relative] = closed_by<kClosure>(c, max(0.0, -s.u_n[k]));
-    return {tangent_at<kClosure>(c, p), root * root};
+    const auto closed = closed_by<kClosure>(c, max(0.0, -s.u_n[k]));
+    const double root = closed.root_ks(c);
+    return {tangent_at<kClosure>(c, closed.p), root * root};
 }
 
 /// Stiffness of a joint under pressure, over the reference [-].
@@ -180,6 +139,84 @@ template <Closure kClosure, class Real>
         if (block != kGround) least = min(least, s.laws.ratio[block]);
     s.borne[run] =
         pressure_of_stiffness<kClosure>(s.laws, law, least * Real(kSurely / kMassMargin));
+}
+
+/// Relative displacement of a contact in a step [m].
+template <class Real> struct ContactStep {
+    Real normal, tangential;
+};
+
+/// What is crushed of a contact in a step [m].
+template <Closure kClosure, class Real>
+[[gnu::noinline]] Real crushed_in_step(const WallState<Real>& s, int law, int k, Real du_n)
+{
+    return crushed_by<kClosure>(s.laws.dry_crushing[law], s.laws.closing[law], s.crushed[k],
+                                s.u_n[k] + du_n);
+}
+
+/// Crushes a contact, before it gets its new state and stresses.
+template <Closure kClosure, class Real>
+[[gnu::noinline]] void crush_closing(int law, int k, Real by, Real area,
+                                     const ClosingUpdate<Real>& u, WallState<Real>& s)
+{
+    const auto crushes = by > Real(0.0);
+    if (!any(crushes)) return;
+    const Real work = work_of_crushing<kClosure>(s.laws.closing[law], closing_state(s, k),
+                                                 s.stress[2 * k], by, u);
+    s.crushing = multiply_add(area, select(crushes, work, Real(0.0)), s.crushing);
+    s.crushed[k] += by;
+}
+
+/// Advances the contacts of a run: crushing, closure, friction, wear, masses. All of them close
+/// before the first one slides: so the root or the exponential of one contact, which take long,
+/// are at work together with those of the others.
+/// @param kPlain whether nothing can crush or wear
+/// @param r number of the run
+/// @param share of the area of its contacts, before this step, over which crushing counts [-]
+/// @param moved called as moved(k), gives a ContactStep, once for each contact
+/// @param done called as done(k, ClosingUpdate), once for each contact, in order
+template <Closure kClosure, bool kLoses, bool kPlain, class Real, class Moved, class Done>
+[[gnu::always_inline]] inline void advance_closing_run(const StepTables& t, std::size_t r,
+                                                       Real share, WallState<Real>& s,
+                                                       Moved moved, Done done)
+{
+    constexpr int kAtOnce = 8;
+    const int law = t.dry[r].law, last = t.dry[r].first + t.dry[r].count;
+    const ClosureLaw<Real>& closing = s.laws.closing[law];
+    const bool crushes = !kPlain && !s.crushed.empty(), wears = !kPlain && !s.roughness.empty();
+    Closed<kClosure, Real> closed[kAtOnce];
+    Real u_n[kAtOnce], du_s[kAtOnce], by[kPlain ? 1 : kAtOnce]; // by: crushed [m]
+    Real most(0.0);                                             // pressure [Pa]
+    for (int first = t.dry[r].first; first < last; first += kAtOnce) {
+        const int n = std::min(kAtOnce, last - first);
+        for (int i = 0; i < n; ++i) {
+            const int k = first + i;
+            auto [normal, tangential] = moved(k);
+            if (crushes) {
+                by[i] = crushed_in_step<kClosure>(s, law, k, normal);
+                normal += by[i];
+            }
+            du_s[i] = tangential;
+            u_n[i] = s.u_n[k] + normal;
+            closed[i] = closed_by<kClosure>(closing, max(Real(0.0), -u_n[i]));
+        }
+        for (int i = 0; i < n; ++i) {
+            const int k = first + i;
+            const Real tan_phi = wears ? worn_law(s, law, k).tan_phi : s.laws.dry[law].tan_phi;
+            const ClosingUpdate<Real> u = slide_closed<kClosure, kLoses>(
+                closing, tan_phi, closing_state(s, k), u_n[i], closed[i], du_s[i]);
+            if (crushes) crush_closing<kClosure>(law, k, by[i], share * Real(t.area[k]), u, s);
+            if (wears)
+                s.roughness[k] =
+                    roughness_after(s.laws.dry_wear[law], s.roughness[k], u.slip, u.sigma);
+            set_contact(s, k, u.state.u_n, u.sigma, u.tau);
+            s.shear[k] = u.state.shear;
+            if constexpr (kLoses) s.rest[k] = u.state.rest;
+            most = max(most, u.pressure);
+            done(k, u);
+        }
+    }
+    allow_for_run<kClosure>(t, r, most, s);
 }
 
 } // namespace dem

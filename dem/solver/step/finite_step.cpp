@@ -161,30 +161,31 @@ template <class Real> Real take(Real& du)
     return x;
 }
 
-template <Closure kClosure, bool kLoses, class Real>
-void advance_closing_joint(const StepTables& t, const ContactRun& run, int pair,
-                           WallState<Real>& s)
+template <Closure kClosure, bool kLoses, bool kPlain, class Real>
+void advance_closing_joint(const StepTables& t, std::size_t r, WallState<Real>& s)
 {
+    const ContactRun& run = t.dry[r];
+    const int pair = static_cast<int>(r);
     PairStep<Real> step(t.finite, run, pair, s);
     const bool grows = any((step.grown > Real(0.0)) | (step.grown < Real(0.0)));
-    const ClosureLaw<Real> law = s.laws.closing[run.law];
-    const Real tan_phi = s.laws.dry[run.law].tan_phi;
-    Real friction(0.0), closing(0.0), stored(0.0), most(0.0); // [J], [J], [J], [Pa]
-    for (int k = run.first; k < run.first + run.count; ++k) {
-        const Real du_n = step.normal(Real(t.finite.place[k]), take(s.du[2 * k])),
-                   du_s = step.tangential(take(s.du[2 * k + 1])), area(t.area[k]);
-        const auto u = advance_closing_contact<kClosure, kLoses>(run.law, law, tan_phi, k, du_n,
-                                                                 du_s, step.before() * area, s);
+    const ClosureLaw<Real>& law = s.laws.closing[run.law];
+    Real friction(0.0), closing(0.0), stored(0.0); // [J]
+    const auto moved = [&](int k) {
+        const Real du_n = take(s.du[2 * k]), du_s = take(s.du[2 * k + 1]);
+        return ContactStep<Real>{step.normal(Real(t.finite.place[k]), du_n),
+                                 step.tangential(du_s)};
+    };
+    const auto done = [&](int k, const ClosingUpdate<Real>& u) {
+        const Real area(t.area[k]);
         friction = multiply_add(area, u.friction, friction);
         if constexpr (kLoses) closing = multiply_add(area, u.closing, closing);
         if (grows) stored = multiply_add(area, stored_energy<kClosure>(law, u.state), stored);
-        most = max(most, u.pressure);
         step.add(t, k, s);
-    }
+    };
+    advance_closing_run<kClosure, kLoses, kPlain>(t, r, step.before(), s, moved, done);
     s.friction += step.share * friction - step.grown * stored;
     if constexpr (kLoses) s.closing += step.share * closing;
     step.press(t.finite, pair, s);
-    allow_for_run<kClosure>(t, pair, most, s);
 }
 
 /// The dashpots of one pair of faces. They act in closed contacts, never pull, and never exceed
@@ -312,9 +313,10 @@ void advance_contacts(const StepTables& t, const SolverOptions& options, WallSta
         advance_dry_joints(t, s);
     else
         with_closure(s.laws, [&]<Closure kClosure, bool kLoses>() {
-            int pair = 0;
-            for (const ContactRun& run : t.dry)
-                advance_closing_joint<kClosure, kLoses>(t, run, pair++, s);
+            const bool plain = s.crushed.empty() && s.roughness.empty();
+            for (std::size_t r = 0; r < t.dry.size(); ++r)
+                plain ? advance_closing_joint<kClosure, kLoses, true>(t, r, s)
+                      : advance_closing_joint<kClosure, kLoses, false>(t, r, s);
         });
     advance_reaches(t, s);
     int pair = static_cast<int>(t.dry.size());

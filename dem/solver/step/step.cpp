@@ -87,26 +87,20 @@ template <bool kCrushes, class Real> void advance_dry(const StepTables& t, WallS
         advance_dry<kCrushes, true>(t, s);
 }
 
-template <Closure kClosure, bool kLoses, class Real>
+template <Closure kClosure, bool kLoses, bool kPlain, class Real>
 void advance_closing_joints(const StepTables& t, WallState<Real>& s)
 {
     Real friction = s.friction, closing = s.closing;
-    for (std::size_t r = 0; r < t.dry.size(); ++r) {
-        const ContactRun& run = t.dry[r];
-        const ClosureLaw<Real> law = s.laws.closing[run.law];
-        const Real tan_phi = s.laws.dry[run.law].tan_phi;
-        Real most(0.0); // pressure [Pa]
-        for (int k = run.first; k < run.first + run.count; ++k) {
-            const Relative<Real> du(s, k);
-            const Real area(t.area[k]);
-            const auto u = advance_closing_contact<kClosure, kLoses>(
-                run.law, law, tan_phi, k, du.normal, du.tangential, area, s);
-            friction = multiply_add(area, u.friction, friction);
-            if constexpr (kLoses) closing = multiply_add(area, u.closing, closing);
-            most = max(most, u.pressure);
-        }
-        allow_for_run<kClosure>(t, r, most, s);
-    }
+    const auto moved = [&](int k) {
+        const Relative<Real> du(s, k);
+        return ContactStep<Real>{du.normal, du.tangential};
+    };
+    const auto done = [&](int k, const ClosingUpdate<Real>& u) {
+        friction = multiply_add(Real(t.area[k]), u.friction, friction);
+        if constexpr (kLoses) closing = multiply_add(Real(t.area[k]), u.closing, closing);
+    };
+    for (std::size_t r = 0; r < t.dry.size(); ++r)
+        advance_closing_run<kClosure, kLoses, kPlain>(t, r, Real(1.0), s, moved, done);
     s.friction = friction;
     s.closing = closing;
 }
@@ -115,7 +109,10 @@ template <class Real> void advance_dry_joints(const StepTables& t, WallState<Rea
 {
     if (s.laws.closure != Closure::linear)
         with_closure(s.laws, [&]<Closure kClosure, bool kLoses>() {
-            advance_closing_joints<kClosure, kLoses>(t, s);
+            if (s.crushed.empty() && s.roughness.empty())
+                advance_closing_joints<kClosure, kLoses, true>(t, s);
+            else
+                advance_closing_joints<kClosure, kLoses, false>(t, s);
         });
     else if (s.crushed.empty())
         advance_dry<false>(t, s);

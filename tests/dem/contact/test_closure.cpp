@@ -111,7 +111,7 @@ TEST_CASE("closure: pressure, tangent, inverse and energy are the closed forms",
                       .epsilon(1e-6));
             CHECK(dem::closing_energy<kClosure>(l, p, w) ==
                   Approx(exact_energy(kClosure, w)).epsilon(1e-6));
-            const double root = dem::closed_by<kClosure>(l, w).root_ks;
+            const double root = dem::closed_by<kClosure>(l, w).root_ks(l);
             CHECK(root * root == Approx((kInitial + p / kMaximum) / 2.4).epsilon(1e-10));
         }
     });
@@ -130,7 +130,7 @@ TEST_CASE("closure: beyond the largest stiffness the law goes straight on", "[de
         CHECK(dem::closing_energy<kClosure>(l, p, w) ==
               Approx(exact_energy(kClosure, l.knee) + 0.5 * (l.knee_pressure + p) * 1e-4)
                   .epsilon(1e-7));
-        const double root = dem::closed_by<kClosure>(l, w).root_ks;
+        const double root = dem::closed_by<kClosure>(l, w).root_ks(l);
         CHECK(root * root == Approx((kInitial + p / kMaximum) / 2.4).epsilon(1e-10));
     });
 }
