@@ -20,9 +20,24 @@ bool reads(const Verb& verb, const Key& key)
            (key.verbs.empty() || key.verbs.has(verb.name));
 }
 
+namespace {
+
+/// Whether the study gives the key the value that it would have without it.
+bool is_default(const Key& key, const Study& study)
+{
+    const std::string value = value_text(key, study);
+    Study without = study;
+    if (key.derived.apply != nullptr) key.derived.apply(without);
+    if (key.derived.follow != nullptr)
+        key.derived.follow(without.parameters, study.wall.course_height);
+    const bool derived = key.derived.apply != nullptr || key.derived.follow != nullptr;
+    return value == value_text(key, derived ? without : Study{});
+}
+
+} // namespace
+
 std::string effect_notes(const Study& study, const Verb& verb)
 {
-    const Study defaults;
     std::vector<std::pair<std::string_view, std::string>> reasons; // and their keys
     for (const Key& key : study_keys()) {
         const Entry* const entry = find_entry(study.source, key.name);
@@ -30,7 +45,7 @@ std::string effect_notes(const Study& study, const Verb& verb)
         const std::string_view why = why_no_effect(key, study);
         // The study of a pushed wall writes out all defaults, and nothing is lost with one that
         // plays no part.
-        if (why.empty() || value_text(key, study) == value_text(key, defaults)) continue;
+        if (why.empty() || is_default(key, study)) continue;
         const auto found =
             std::ranges::find_if(reasons, [&](const auto& r) { return r.first == why; });
         if (found == reasons.end())

@@ -3,6 +3,7 @@
 #include "app/input/key_effects.hpp"
 #include "app/input/sheet_offer.hpp"
 #include "app/input/study/units.hpp"
+#include "app/input/study_name.hpp"
 #include "app/input/study_reading.hpp"
 #include "app/input/wall/random_layouts.hpp"
 #include "app/output/atomic_output.hpp"
@@ -341,7 +342,7 @@ int push_command(const Command& command)
         std::cout << sheet_offer(fs::path(command.out) /
                                      wall_folder(walls.size(), walls.front().vertical_stress) /
                                      "study.ini",
-                                 fs::path(command.study).stem().string(), {})
+                                 study_title(command.study), {})
                   << '\n';
     for (const PushedWall& w : walls)
         if (dem::failed(w.result.outcome))

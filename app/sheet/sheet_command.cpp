@@ -181,7 +181,7 @@ std::vector<WantedWall> mean_wall(const StudySource& source, const Command& comm
 
 std::string title_of(const Command& command)
 {
-    return command.title.empty() ? fs::path(command.study).stem().string() : command.title;
+    return command.title.empty() ? study_title(command.study) : command.title;
 }
 
 Sheet sheet_of(const Study& study, const dem::Layout& layout, const PushedWall& w,

@@ -4,6 +4,7 @@
 #include "app/input/keys/study_keys.hpp"
 #include "app/input/option.hpp"
 #include "app/input/sheet_offer.hpp"
+#include "app/input/study_name.hpp"
 #include "app/text/number_text.hpp"
 #include "app/verbs.hpp"
 
@@ -158,6 +159,9 @@ TEST_CASE("command line: the sheet that is offered names a stress where there ar
     CHECK(app::sheet_offer("o/study.ini", "it's", {}) ==
           "one page to print: drystone sheet o/study.ini --out o/sheet.html --title "
           "'it'\\''s'");
+    CHECK(app::study_title("configs/wall.ini") == "wall");
+    CHECK(app::study_title("runs/house/study.ini") == "house");
+    CHECK(app::study_title("study.ini") == "study");
 }
 
 TEST_CASE("command line: the help of a verb lists the keys that it reads, with true defaults",

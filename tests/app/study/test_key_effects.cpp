@@ -354,4 +354,9 @@ TEST_CASE("key effects: a default that is written out is not remarked on", "[app
     CHECK(app::effect_notes(read(kLeast, {defaults}), kPush).empty());
     CHECK(app::effect_notes(read(kLeast, {other}), kPush).find("joint.wear_length") !=
           std::string::npos);
+    // nor one that follows from another value: here that of joint.friction_angle
+    const std::string key = "joint.residual_friction_angle";
+    CHECK(app::effect_notes(read(kLeast, {key + "=30 deg"}), kPush).empty());
+    CHECK(app::effect_notes(read(kLeast, {key + "=29 deg"}), kPush).find(key) !=
+          std::string::npos);
 }
