@@ -147,7 +147,9 @@ Drawing fit_drawing(RawDrawing raw, double snap)
     note_mended(raw);
     add_line_faces(raw, std::max(snap, kLeastSnap));
     if (raw.outlines.empty()) {
-        refuse(raw.frame, 0, "holds no closed outline; draw each block as a closed polyline");
+        std::string why = "holds no closed outline; draw each block as a closed polyline";
+        for (const std::string& note : raw.notes) why += ". " + note;
+        refuse(raw.frame, 0, why);
     }
     std::size_t corners = 0;
     for (const RawOutline& outline : raw.outlines) corners += outline.corners.size();
