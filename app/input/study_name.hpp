@@ -13,7 +13,7 @@ namespace app {
     return path.ends_with(".h5") || path.ends_with(".hdf5");
 }
 
-/// What a page calls a study: the name of its file, or of the folder of a push, whose study is
+/// Name of a study on a page: that of its file, or of the folder of a push, whose study is
 /// always study.ini.
 [[nodiscard]] inline std::string study_title(const std::filesystem::path& path)
 {

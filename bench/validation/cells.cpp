@@ -4,12 +4,6 @@
 #include "core/binomial.hpp"
 
 namespace bench {
-namespace {
-
-constexpr double kZ = 1.959963984540054; // 95 %
-
-} // namespace
-
 app::Cell with_interval(const Sample& s, int decimals)
 {
     if (s.n == 0) return {};

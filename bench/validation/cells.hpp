@@ -6,6 +6,9 @@
 
 namespace bench {
 
+/// Half the width of a 95 % interval over the standard deviation of a normal law.
+constexpr double kZ = 1.959963984540054;
+
 /// "15.1 [14.4, 15.9]"; one wall has no interval, no wall nothing.
 [[nodiscard]] app::Cell with_interval(const Sample& s, int decimals);
 

@@ -81,8 +81,6 @@ ShareDifference share_difference(std::size_t k1, std::size_t n1, std::size_t k2,
 
 namespace {
 
-constexpr double kZ = 1.959963984540054; // 95 %
-
 /// Ours less the paper's, with 95 % for the sampling of both. The paper's error is that of as
 /// many of our walls.
 struct Difference {

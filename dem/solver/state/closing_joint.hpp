@@ -146,7 +146,7 @@ template <class Real> struct ContactStep {
     Real normal, tangential;
 };
 
-/// What is crushed of a contact in a step [m].
+/// Thickness of a contact that is crushed in a step [m].
 template <Closure kClosure, class Real>
 [[gnu::noinline]] Real crushed_in_step(const WallState<Real>& s, int law, int k, Real du_n)
 {
