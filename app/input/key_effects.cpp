@@ -25,13 +25,14 @@ namespace {
 /// Whether the study gives the key the value that it would have without it.
 bool is_default(const Key& key, const Study& study)
 {
-    const std::string value = value_text(key, study);
-    Study without = study;
-    if (key.derived.apply != nullptr) key.derived.apply(without);
-    if (key.derived.follow != nullptr)
-        key.derived.follow(without.parameters, study.wall.course_height);
-    const bool derived = key.derived.apply != nullptr || key.derived.follow != nullptr;
-    return value == value_text(key, derived ? without : Study{});
+    const auto& [rule, apply, follow] = key.derived;
+    Study without;
+    if (is_used(key, study) && (apply != nullptr || follow != nullptr)) {
+        without = study;
+        if (apply != nullptr) apply(without);
+        if (follow != nullptr) follow(without.parameters, study.wall.course_height);
+    }
+    return value_text(key, study) == value_text(key, without);
 }
 
 } // namespace

@@ -359,4 +359,8 @@ TEST_CASE("key effects: a default that is written out is not remarked on", "[app
     CHECK(app::effect_notes(read(kLeast, {key + "=30 deg"}), kPush).empty());
     CHECK(app::effect_notes(read(kLeast, {key + "=29 deg"}), kPush).find(key) !=
           std::string::npos);
+    // a value that would be fitted to what the study does not give
+    const std::string fitted = "joint.initial_stiffness";
+    CHECK(app::effect_notes(read(kLeast, {fitted + "=5 GPa/m"}), kPush).find(fitted) !=
+          std::string::npos);
 }
