@@ -16,13 +16,13 @@ struct Node {
     double at, weight;
 };
 
-/// Composite rule of `panels` x 16 nodes on [lower, upper], ascending.
-std::vector<Node> rule_on(double lower, double upper, std::size_t panels)
+/// Composite rule of 16 nodes between each edge and the next, ascending.
+std::vector<Node> rule_between(const std::vector<double>& edges)
 {
     std::vector<Node> nodes;
-    const double half = 0.5 * (upper - lower) / static_cast<double>(panels);
-    for (std::size_t p = 0; p < panels; ++p) {
-        const double middle = lower + half * (2.0 * static_cast<double>(p) + 1.0);
+    for (std::size_t p = 0; p + 1 < edges.size(); ++p) {
+        const double half = 0.5 * (edges[p + 1] - edges[p]);
+        const double middle = edges[p] + half;
         for (std::size_t i = core::kGauss16.node.size(); i-- > 0;)
             nodes.push_back(
                 {middle - half * core::kGauss16.node[i], half * core::kGauss16.weight[i]});
@@ -33,10 +33,30 @@ std::vector<Node> rule_on(double lower, double upper, std::size_t panels)
     return nodes;
 }
 
-/// Nodes of a scale on (0, infinity), as scale = unit u / (1 - u); weights hold the prior.
+/// Composite rule of `panels` x 16 nodes on [lower, upper], ascending.
+std::vector<Node> rule_on(double lower, double upper, std::size_t panels)
+{
+    std::vector<double> edges;
+    for (std::size_t p = 0; p <= panels; ++p)
+        edges.push_back(lower +
+                        (upper - lower) * static_cast<double>(p) / static_cast<double>(panels));
+    return rule_between(edges);
+}
+
+/// Nodes of a scale on (0, infinity), as scale = unit u / (1 - u); weights hold the prior. Tests
+/// that agree leave a unit far below the prior's scale, up to which their level's error is not
+/// known: panels are added, each twice as long in the scale as the one before, until they pass
+/// the prior's scale.
 std::vector<Node> scale_rule(double unit, std::size_t panels, const ScalePrior& prior)
 {
-    std::vector<Node> nodes = rule_on(0.0, 1.0, panels);
+    std::vector<double> edges;
+    for (std::size_t p = 0; p < panels; ++p)
+        edges.push_back(static_cast<double>(p) / static_cast<double>(panels));
+    for (double left = 0.5 * (1.0 - edges.back()); unit / left < 2.0 * prior.half_normal;
+         left *= 0.5)
+        edges.push_back(1.0 - left);
+    edges.push_back(1.0);
+    std::vector<Node> nodes = rule_between(edges);
     for (Node& n : nodes) {
         const double u = n.at;
         n.at = unit * u / (1.0 - u);
@@ -280,9 +300,13 @@ core::Interval predictive_interval(const HierarchicalPosterior& posterior, doubl
 {
     if (!(confidence > 0.0 && confidence < 1.0))
         throw std::invalid_argument("predictive interval: a confidence not in (0, 1)");
+    constexpr double kNothing = 1e-18; // a million such points change no printed digit
+    std::vector<HierarchicalPosterior::Point> points;
+    for (const auto& point : posterior.points)
+        if (point.weight > kNothing) points.push_back(point);
     const auto cdf = [&](double y) {
         double p = 0.0;
-        for (const auto& point : posterior.points)
+        for (const auto& point : points)
             p += point.weight *
                  StandardNormal::cdf((y - point.mu) / std::hypot(point.tau, point.s));
         return p;
