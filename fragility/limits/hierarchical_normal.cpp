@@ -43,10 +43,10 @@ std::vector<Node> rule_on(double lower, double upper, std::size_t panels)
     return rule_between(edges);
 }
 
-/// Nodes of a scale on (0, infinity), as scale = unit u / (1 - u); weights hold the prior. Tests
-/// that agree leave a unit far below the prior's scale, up to which their level's error is not
-/// known: panels are added, each twice as long in the scale as the one before, until they pass
-/// the prior's scale.
+/// Nodes of a scale on (0, infinity), as scale = unit u / (1 - u); weights hold the prior.
+/// Tests that agree leave a unit far below the prior's scale, up to which the error of their
+/// level is not known: panels are added, each twice as long in the scale as the one before,
+/// until they pass the prior's scale.
 std::vector<Node> scale_rule(double unit, std::size_t panels, const ScalePrior& prior)
 {
     std::vector<double> edges;
