@@ -4,6 +4,7 @@
 #include "core/binomial.hpp"
 
 namespace bench {
+
 app::Cell with_interval(const Sample& s, int decimals)
 {
     if (s.n == 0) return {};

@@ -354,12 +354,12 @@ TEST_CASE("key effects: a default that is written out is not remarked on", "[app
     CHECK(app::effect_notes(read(kLeast, {defaults}), kPush).empty());
     CHECK(app::effect_notes(read(kLeast, {other}), kPush).find("joint.wear_length") !=
           std::string::npos);
-    // nor one that follows from another value: here that of joint.friction_angle
+    // A default that follows from another value, here joint.friction_angle, is no news either.
     const std::string key = "joint.residual_friction_angle";
     CHECK(app::effect_notes(read(kLeast, {key + "=30 deg"}), kPush).empty());
     CHECK(app::effect_notes(read(kLeast, {key + "=29 deg"}), kPush).find(key) !=
           std::string::npos);
-    // a value that would be fitted to what the study does not give
+    // This value would be fitted to moduli, which the study does not give.
     const std::string fitted = "joint.initial_stiffness";
     CHECK(app::effect_notes(read(kLeast, {fitted + "=5 GPa/m"}), kPush).find(fitted) !=
           std::string::npos);
