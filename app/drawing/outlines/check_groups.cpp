@@ -2,6 +2,7 @@
 #include "dem/scene/geometry/polygon.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 namespace app {
@@ -51,6 +52,54 @@ IndexSets rings_that_share(const OutlineNetwork& network, bool sides)
     return sets;
 }
 
+/// Distance from the corners of a block to the sides of another [m].
+double distance_between(const OutlineNetwork& network, const Ring& corners, const Ring& sides)
+{
+    const std::vector<dem::Point> outline = outline_of(network, sides);
+    double least = std::numeric_limits<double>::infinity();
+    for (const int n : corners.corners)
+        for (std::size_t i = 0; i < outline.size(); ++i)
+            least = std::min(least, nearest_on_segment(network.nodes[n], outline[i],
+                                                       outline[(i + 1) % outline.size()])
+                                        .distance);
+    return least;
+}
+
+/// Advice about blocks that stand on nothing: the least way between one of them and the
+/// floor, or a block that stands.
+std::string narrowest_gap(const OutlineNetwork& network,
+                          const std::vector<const Ring*>& floating,
+                          const std::vector<const Ring*>& standing)
+{
+    double least = std::numeric_limits<double>::infinity();
+    std::string to = "the floor";
+    for (const Ring* ring : floating)
+        for (const int n : ring->corners) least = std::min(least, network.nodes[n].z);
+    const auto extents = [&](const std::vector<const Ring*>& rings) {
+        std::vector<dem::Region> of;
+        for (const Ring* ring : rings) of.push_back(dem::extent_of(outline_of(network, *ring)));
+        return of;
+    };
+    const std::vector<dem::Region> a = extents(floating), b = extents(standing);
+    for (std::size_t i = 0; i < a.size(); ++i)
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            if (std::max({a[i].x0 - b[j].x1, b[j].x0 - a[i].x1, a[i].z0 - b[j].z1,
+                          b[j].z0 - a[i].z1}) >= least)
+                continue;
+            const Ring* ring = floating[i];
+            const Ring* other = standing[j];
+            const double gap = std::min(distance_between(network, *ring, *other),
+                                        distance_between(network, *other, *ring));
+            if (gap >= least) continue;
+            least = gap;
+            to = block_name(network, *other);
+        }
+    if (least == 0.0) return "it touches " + to + " in a point alone: let them share a side";
+    return "close the gap of " + millimetres(least) + " to " + to +
+           snap_advice(network, ", or make wall.snap (" + millimetres(network.snap) +
+                                    ") larger than it is");
+}
+
 void check_floating(const OutlineNetwork& network)
 {
     IndexSets joined = rings_that_share(network, true);
@@ -58,19 +107,17 @@ void check_floating(const OutlineNetwork& network)
     for (std::size_t r = 0; r < network.rings.size(); ++r)
         for (const int n : network.rings[r].corners)
             if (network.nodes[n].z == 0.0) stands[joined.first_of(static_cast<int>(r))] = 1;
-    std::size_t floating = 0;
-    const Ring* first = nullptr;
-    for (std::size_t r = 0; r < network.rings.size(); ++r) {
-        if (stands[joined.first_of(static_cast<int>(r))]) continue;
-        if (++floating == 1) first = &network.rings[r];
-    }
-    if (!first) return;
-    refuse(network.frame, first->line,
-           "the block at " + coordinates(network.frame, network.nodes[first->corners.front()]) +
+    std::vector<const Ring*> floating, standing;
+    for (std::size_t r = 0; r < network.rings.size(); ++r)
+        (stands[joined.first_of(static_cast<int>(r))] ? standing : floating)
+            .push_back(&network.rings[r]);
+    if (floating.empty()) return;
+    const Ring& first = *floating.front();
+    refuse(network.frame, first.line,
+           "the block at " + coordinates(network.frame, network.nodes[first.corners.front()]) +
                " stands neither on the floor nor on blocks that do (" +
-               counted(floating, "such block", "such blocks") + "); close the gaps" +
-               snap_advice(network, ", or make wall.snap (" + millimetres(network.snap) +
-                                        ") larger than they are"));
+               counted(floating.size(), "such block", "such blocks") + "); " +
+               narrowest_gap(network, floating, standing));
 }
 
 } // namespace

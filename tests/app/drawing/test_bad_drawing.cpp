@@ -59,9 +59,14 @@ TEST_CASE("bad drawing: outlines that are no blocks are refused with their place
            {"w.json", json_text({rectangle(1, 1, 2, 2), rectangle(0, 0, 3, 3)}),
             "w.json:2: this block lies within the block of line 3, at (1, 1)", "delete one"},
            {"w.json", json_text({rectangle(0, 0, 1, 1), rectangle(0, 1.01, 1, 2)}),
-            "w.json:3: the block at (0, 1.01) stands neither", "1 such block"},
+            "w.json:3: the block at (0, 1.01) stands neither",
+            "1 such block); close the gap of 10 mm to the block of line 2, or make wall.snap"},
+           {"w.json", json_text({rectangle(0, 0, 1, 1), rectangle(1.5, 0.003, 2, 1)}),
+            "w.json:3: the block at (1.5, 0.003) stands neither",
+            "close the gap of 3 mm to the floor"},
            {"w.json", json_text({rectangle(0, 0, 1, 1), rectangle(1, 1, 2, 2)}),
-            "w.json:3: the block at (1, 1) stands neither", "floor"},
+            "w.json:3: the block at (1, 1) stands neither",
+            "it touches the block of line 2 in a point alone: let them share a side"},
            {"w.json", json_text({{0, 0, 1, 0, 1, 1, 0.0003, 0.5, 0, 1}, {0, 0.5, 0, 1, -1, 1}}),
             "w.json:", "of itself at"}});
 }
