@@ -1,6 +1,7 @@
 /// How often the drift limits of `drystone fragility` hold the truth, on synthetic studies;
 /// writes docs/bench/fragility/limit_coverage.md.
 
+#include "app/text/number_text.hpp"
 #include "bench/report.hpp"
 #include "core/interval.hpp"
 
@@ -254,7 +255,8 @@ void write(const std::string& path, int studies)
         "the truth lies above its lower end. Width: mean over that of "
         "the true model, where both are two-sided; the true model "
         "knows the heap of each wall, and sees the upper heap fall. "
-        "Error of a percentage: 1.1.";
+        "Standard error of 95 %: " +
+        app::fixed(100.0 * std::sqrt(0.95 * 0.05 / studies), 1) + " %.";
     bench::write_report(path, {"Coverage of drift limits", opening, {{"", "", "", table}}});
 }
 
