@@ -1,6 +1,7 @@
 #include "app/fragility/drift_csv.hpp"
 
 #include "app/text/config_error.hpp"
+#include "app/text/number_text.hpp"
 #include "app/text/text_file.hpp"
 #include "app/text/words.hpp"
 
@@ -60,6 +61,8 @@ struct Indices {
     std::optional<std::size_t> group;
 };
 
+constexpr double kLeastDrift = 1e-9, kMostDrift = 1e9; ///< in any unit, or a displacement
+
 /// "2.27", "> 2.27" or ">= 2.27" (a bound), or nothing.
 std::optional<fragility::Observation> drift_at(const Csv& csv, const CsvRow& row,
                                                std::size_t column, bool bound)
@@ -77,6 +80,15 @@ std::optional<fragility::Observation> drift_at(const Csv& csv, const CsvRow& row
         refuse_cell(
             csv, row, column,
             "is 0, where no limit state is reached; write the drift, or NA if it is not known");
+    if (d == 0.0)
+        refuse_cell(
+            csv, row, column,
+            "is a bound of 0, which says nothing of a wall; write the drift at which it "
+            "still stood, or NA if it is not known");
+    if (d < kLeastDrift || d > kMostDrift)
+        refuse_cell(csv, row, column,
+                    in_quotes(trimmed(text)) + " is no drift; it must be in [" +
+                        number(kLeastDrift, 3) + ", " + number(kMostDrift, 3) + "]");
     return bound ? fragility::right_censored(d) : fragility::observed(d);
 }
 

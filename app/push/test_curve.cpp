@@ -5,8 +5,6 @@
 #include "app/text/text_file.hpp"
 
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <string_view>
 
@@ -25,20 +23,6 @@ std::size_t column_of(const Csv& csv, std::string_view quantity,
                           "; name it as in \"displacement_mm,force_kN\"");
 }
 
-/// A number of either sign.
-double signed_number(const Csv& csv, const CsvRow& row, std::size_t column)
-{
-    std::string text = row.cells[column];
-    if (csv.separator != ',')
-        for (char& c : text) c = c == ',' ? '.' : c;
-    double value = 0.0;
-    const char* const end = text.data() + text.size();
-    const auto [after, error] = std::from_chars(text.data(), end, value);
-    if (text.empty() || error != std::errc{} || after != end || !std::isfinite(value))
-        refuse_cell(csv, row, column, "is not a number; write one, such as 12.5");
-    return value;
-}
-
 } // namespace
 
 TestCurve read_test_curve(const std::string& path)
@@ -52,8 +36,8 @@ TestCurve read_test_curve(const std::string& path)
     TestCurve curve;
     curve.name = std::filesystem::path(path).stem().string();
     for (const CsvRow& row : csv.rows) {
-        curve.displacement.push_back(signed_number(csv, row, u) * 1e-3);
-        curve.force.push_back(signed_number(csv, row, f) * 1e3);
+        curve.displacement.push_back(signed_number_at(csv, row, u) * 1e-3);
+        curve.force.push_back(signed_number_at(csv, row, f) * 1e3);
     }
     if (curve.force.size() < 2)
         throw ConfigError(path, 1, "", "has fewer than two points; a curve needs two");

@@ -119,7 +119,8 @@ void add_given_data(LevelSurrogate& s, std::uint64_t seed)
                 uq::hsic(x, s.points.y, {.seed = seed, .stream = 2 * stream + 1});
             const uq::Estimate rank =
                 uq::rank_index(x, s.points.y, {.seed = seed, .stream = 2 * stream});
-            g.p_value = std::min(1.0, 2.0 * std::min(h.p_value, uq::independence_p(rank)));
+            g.p_value =
+                std::min(1.0, 2.0 * std::min(h.p_value, uq::independence_p(rank, s.points.y)));
             if (g.p_value < kDependsLevel) {
                 g.rank = as_result(rank);
                 g.hsic = as_result(h.index);

@@ -138,7 +138,7 @@ std::size_t find_column(const Csv& csv, std::string_view name)
     throw ConfigError(csv.path, 0, name, "no such column; " + suggestion(name, names));
 }
 
-double number_at(const Csv& csv, const CsvRow& row, std::size_t column)
+double signed_number_at(const Csv& csv, const CsvRow& row, std::size_t column)
 {
     const auto refuse = [&](const std::string& why) { refuse_cell(csv, row, column, why); };
     std::string text(trimmed(row.cells[column]));
@@ -150,7 +150,16 @@ double number_at(const Csv& csv, const CsvRow& row, std::size_t column)
     const auto [end, error] = std::from_chars(first, last, value);
     if (error != std::errc() || end != last) refuse(in_quotes(text) + " is not a number");
     if (!std::isfinite(value)) refuse(in_quotes(text) + " is not a finite number");
-    if (value < 0.0) refuse(in_quotes(text) + " is negative; it must be at least 0");
+    return value;
+}
+
+double number_at(const Csv& csv, const CsvRow& row, std::size_t column)
+{
+    const double value = signed_number_at(csv, row, column);
+    if (value < 0.0)
+        refuse_cell(csv, row, column,
+                    in_quotes(trimmed(row.cells[column])) +
+                        " is negative; it must be at least 0");
     return value;
 }
 

@@ -33,8 +33,11 @@ struct Csv {
 /// @throws ConfigError if there is none, or several of it
 [[nodiscard]] std::size_t find_column(const Csv& csv, std::string_view name);
 
-/// The number in a cell, >= 0. With semicolons or tabs as separators 1,5 is read as 1.5.
+/// The number in a cell, of either sign and finite; blanks around it are passed over. With
+/// semicolons or tabs as separators 1,5 is read as 1.5.
 /// @throws ConfigError naming row and column
+[[nodiscard]] double signed_number_at(const Csv& csv, const CsvRow& row, std::size_t column);
+/// Likewise, >= 0.
 [[nodiscard]] double number_at(const Csv& csv, const CsvRow& row, std::size_t column);
 
 /// The name of a column without its unit in brackets, [%] or (%).

@@ -130,7 +130,7 @@ void add_rows(const Function& f, Index input, int repetitions, app::Table& table
             c.note(ranks, rank, repetitions);
             const uq::Hsic found = uq::hsic(x, y, {.permutations = 199, .seed = seed});
             h.note(found.index, share, repetitions);
-            depends += std::min(found.p_value, uq::independence_p(ranks)) < 0.025;
+            depends += std::min(found.p_value, uq::independence_p(ranks, y)) < 0.025;
         }
         const auto percent = [&](int k) { return shown(100.0 * k / repetitions, 0); };
         table.rows.push_back({f.name, "x" + std::to_string(input + 1), std::to_string(n),

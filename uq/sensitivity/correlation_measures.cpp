@@ -87,7 +87,7 @@ std::optional<Estimate> spearman(const Eigen::VectorXd& x, const Eigen::VectorXd
                                  double confidence)
 {
     const SoundRows rows = sound_rows(x, y);
-    return with_interval(rows, ranks(rows.x.col(0)), ranks(rows.y), 0.5, confidence);
+    return with_interval(rows, ranks(rows.x.col(0)), ranks(rows.y), kRankVariance, confidence);
 }
 
 } // namespace uq

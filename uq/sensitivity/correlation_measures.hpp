@@ -36,6 +36,9 @@ pearson(const Eigen::VectorXd& x, const Eigen::VectorXd& y, double confidence = 
 [[nodiscard]] std::optional<Estimate>
 spearman(const Eigen::VectorXd& x, const Eigen::VectorXd& y, double confidence = kConfidence);
 
+/// The variance of z of a correlation of ranks grows by this with r^2 (Bonett and Wright 2000).
+constexpr double kRankVariance = 0.5;
+
 /// Interval of a correlation `r` through Fisher's z; `z_error`: standard error of z.
 [[nodiscard]] core::Interval fisher_interval(double r, double z_error, double confidence);
 

@@ -13,6 +13,37 @@
 
 namespace uq {
 
+namespace {
+
+/// n times the variance of the index where y does not depend on x, with phi = min(F(y), F(y')):
+///   (E phi^2 - 2 E[E(phi | y)^2] + (E phi)^2) / (E[G (1 - G)])^2,  G(t) = P(Y >= t)
+double chance_variance(const Eigen::VectorXd& y)
+{
+    std::vector<double> sorted(y.begin(), y.end());
+    std::ranges::sort(sorted);
+    if (std::ranges::adjacent_find(sorted) == sorted.end()) return 0.4;
+    const auto n = static_cast<double>(sorted.size());
+    double square = 0.0, mean = 0.0, product = 0.0, below = 0.0, spread = 0.0, above = n;
+    for (const double v : sorted) {
+        const auto up_to =
+            static_cast<double>(std::ranges::upper_bound(sorted, v) - sorted.begin());
+        const auto from =
+            static_cast<double>(sorted.end() - std::ranges::lower_bound(sorted, v));
+        const double f = up_to / n;
+        above -= 1.0;
+        const double pairs = (2.0 * above + 1.0) / (n * n); // whose smaller sample this is
+        square += pairs * f * f;
+        mean += pairs * f;
+        below += f;
+        const double row = (below + above * f) / n;
+        product += row * row / n;
+        spread += from * (n - from) / (n * n * n);
+    }
+    return (square - 2.0 * product + mean * mean) / (spread * spread);
+}
+
+} // namespace
+
 double raw_rank_index(const Eigen::VectorXd& x, const Eigen::VectorXd& y)
 {
     const auto n = static_cast<std::size_t>(y.size());
@@ -35,9 +66,10 @@ double raw_rank_index(const Eigen::VectorXd& x, const Eigen::VectorXd& y)
     return scatter > 0.0 ? 1.0 - static_cast<double>(n) * jumps / (2.0 * scatter) : 0.0;
 }
 
-double independence_p(const Estimate& e)
+double independence_p(const Estimate& e, const Eigen::VectorXd& y)
 {
-    return core::normal_survival(e.value * std::sqrt(2.5 * static_cast<double>(e.n)));
+    return core::normal_survival(e.value *
+                                 std::sqrt(static_cast<double>(e.n) / chance_variance(y)));
 }
 
 Estimate rank_index(const Eigen::VectorXd& x, const Eigen::VectorXd& y,

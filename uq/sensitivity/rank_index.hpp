@@ -30,8 +30,9 @@ struct RankIndexOptions {
                                   const RankIndexOptions& options = {});
 
 /// Probability of an index as large by chance where y does not depend on x: it is then normal
-/// with mean 0 and variance 2 / (5 n) for a continuous y (Chatterjee 2021, theorem 2.1).
-[[nodiscard]] double independence_p(const Estimate& rank_index);
+/// with mean 0 and variance 2 / (5 n) where no two y are equal, and with ties the variance of
+/// Chatterjee (2021), theorem 2.2, from the ranks of y. @param y that the index is of
+[[nodiscard]] double independence_p(const Estimate& rank_index, const Eigen::VectorXd& y);
 
 /// The estimate alone. Equal values of x keep the order of the samples.
 [[nodiscard]] double raw_rank_index(const Eigen::VectorXd& x, const Eigen::VectorXd& y);

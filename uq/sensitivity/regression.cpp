@@ -26,8 +26,9 @@ double standardised_error(const RegressionFit& f, Eigen::Index j)
     return std::sqrt(moved.square().sum() / (n * freedom));
 }
 
-RegressionCoefficient coefficient(const RegressionFit& f, Eigen::Index j, std::size_t failed,
-                                  double confidence)
+/// `extra`: what the variance of the partial coefficient's z grows by with r^2.
+RegressionCoefficient coefficient(const RegressionFit& f, Eigen::Index j, double extra,
+                                  std::size_t failed, double confidence)
 {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     const auto n = static_cast<std::size_t>(f.y.size());
@@ -39,7 +40,8 @@ RegressionCoefficient coefficient(const RegressionFit& f, Eigen::Index j, std::s
     const double freedom = static_cast<double>(f.y.size()) - 1.0 - static_cast<double>(f.rank);
     const double error = standardised_error(f, j),
                  half = core::student_factor(confidence, freedom) * error;
-    const double r = partial_correlation(f, j), z_error = 1.0 / std::sqrt(freedom - 1.0);
+    const double r = partial_correlation(f, j),
+                 z_error = std::sqrt((1.0 + extra * r * r) / (freedom - 1.0));
     return {{f.beta[j], error, n, failed, {f.beta[j] - half, f.beta[j] + half, confidence}},
             {r, (1.0 - r * r) * z_error, n, failed, fisher_interval(r, z_error, confidence)},
             true};
@@ -64,8 +66,9 @@ std::optional<Regression> regress(const Eigen::MatrixXd& x, const Eigen::VectorX
                  f.rank,
                  static_cast<std::size_t>(f.y.size()),
                  rows.failed};
+    const double extra = options.scale == RegressionScale::ranks ? kRankVariance : 0.0;
     for (Eigen::Index j = 0; j < x.cols(); ++j)
-        r.inputs.push_back(coefficient(f, j, rows.failed, options.confidence));
+        r.inputs.push_back(coefficient(f, j, extra, rows.failed, options.confidence));
     if (options.bootstrap > 0) bootstrap_intervals(r, rows.x, rows.y, options);
     return r;
 }

@@ -43,7 +43,8 @@ struct RegressionOptions {
     double confidence = kConfidence;
     /// Resamples for percentile intervals and standard errors; 0: asymptotic ones. Those of the
     /// standardised coefficient allow for unequal scatter and for the spread of the sampled
-    /// deviations; those of the partial one are Fisher's, for normal values.
+    /// deviations; those of the partial one are Fisher's, for normal values, with the variance
+    /// (1 + r^2 / 2) / (n - d - 2) of z for ranks, as of Spearman's.
     std::size_t bootstrap = 0;
     std::uint64_t seed = 1; ///< of the resamples
 };

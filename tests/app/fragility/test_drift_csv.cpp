@@ -65,6 +65,16 @@ TEST_CASE("drift CSV: a bad cell is named by row and column", "[app][drift_csv]"
         {"B,0,0", "walls.csv:3: drift [%]: is 0, where no limit state is reached; write the "
                   "drift, or NA "
                   "if it is not known"},
+        {"B,>0,0",
+         "walls.csv:3: drift [%]: is a bound of 0, which says nothing of a wall; write "
+         "the drift at which it still stood, or NA if it is not known"},
+        {"B,0,1",
+         "walls.csv:3: drift [%]: is a bound of 0, which says nothing of a wall; write "
+         "the drift at which it still stood, or NA if it is not known"},
+        {"B,1e308,0",
+         "walls.csv:3: drift [%]: \"1e308\" is no drift; it must be in [1e-09, 1e+09]"},
+        {"B,> 1e-308,0",
+         "walls.csv:3: drift [%]: \"1e-308\" is no drift; it must be in [1e-09, 1e+09]"},
         {"B,\"1.2\"3,0",
          "walls.csv:3: text behind the quote that closes a cell; write a quote inside a "
          "cell as \"\""},

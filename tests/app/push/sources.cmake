@@ -8,6 +8,7 @@ set(TEST_APP_PUSH_SOURCES
     app/push/test_drawn_ends.cpp
     app/push/test_drawn_picture.cpp
     app/push/test_hand_checks.cpp
+    app/push/test_measured_curve.cpp
     app/push/test_pier_balance.cpp
     app/push/test_pier_reading.cpp
     app/push/test_scene.cpp

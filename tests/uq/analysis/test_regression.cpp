@@ -148,6 +148,22 @@ TEST_CASE("regression: standard errors of rank coefficients are those seen in re
     CHECK(pcc_error / core::moments(pcc).sd == Approx(1.0).margin(0.25));
 }
 
+TEST_CASE("regression: the interval of a partial rank coefficient of a strong input holds",
+          "[uq][regression]")
+{
+    // normal pairs beside an input of no effect: 6 / pi asin(r / 2), less than 1e-3 off
+    const double r = 0.96, truth = 6.0 / M_PI * std::asin(0.5 * r);
+    const int studies = 1000;
+    int held = 0;
+    for (int k = 0; k < studies; ++k) {
+        const Eigen::MatrixXd x = normal_inputs(static_cast<std::uint64_t>(9000 + k), 200, 3);
+        const Eigen::VectorXd y = r * x.col(0) + std::sqrt(1.0 - r * r) * x.col(2);
+        const auto c = regress(x.leftCols(2), y, {.scale = RegressionScale::ranks})->inputs[0];
+        held += holds(c.partial.interval, truth);
+    }
+    CHECK(held >= 925); // binomial(1000, 0.95): 99.9 %
+}
+
 TEST_CASE("regression: collinear and constant inputs are flagged and spoil no other",
           "[uq][regression]")
 {

@@ -1,3 +1,4 @@
+#include "core/normal.hpp"
 #include "tests/uq/latin_scene.hpp"
 #include "tests/uq/sensitivity_scenes.hpp"
 #include "uq/designs/stream.hpp"
@@ -145,6 +146,29 @@ TEST_CASE("rank index: a worked example, ties, and its ends", "[uq][rank_index]"
     CHECK_THROWS_AS(rank_index(z, z.head(399)), std::invalid_argument);
 }
 
+TEST_CASE("rank index: its test has the level that it says where responses are equal",
+          "[uq][rank_index]")
+{
+    // 0 but for a fifth of the samples
+    const double bound = core::normal_quantile(0.8);
+    int by_chance = 0;
+    for (int r = 0; r < 400; ++r) {
+        const Eigen::VectorXd x = normals(100, 4000 + 2 * r);
+        const Eigen::VectorXd y =
+            (normals(100, 4001 + 2 * r).array() > bound).cast<double>().matrix();
+        by_chance += independence_p(rank_index(x, y, {.halves = 20}), y) < 0.05 ? 1 : 0;
+    }
+    CHECK(by_chance >= 7); // binomial(400, 0.05): 7 .. 34 with 99.8 %
+    CHECK(by_chance <= 34);
+    // two values, one half each: F = 1/2 and 1, E phi^2 = 7/16, E[E(phi | y)^2] = 13/32,
+    // E phi = 5/8, E[G (1 - G)] = 1/8: a variance of (7/16 - 13/16 + 25/64) / (1/64) = 1
+    const Eigen::VectorXd half = Eigen::VectorXd::LinSpaced(4000, 0.0, 1.0).array().round();
+    Estimate e{};
+    e.value = 0.01;
+    e.n = 10000;
+    CHECK(independence_p(e, half) == Approx(core::normal_survival(1.0)).margin(2e-4));
+}
+
 TEST_CASE("rank index: of two normal variables, and its error by repetition",
           "[uq][rank_index]")
 {
@@ -156,7 +180,7 @@ TEST_CASE("rank index: of two normal variables, and its error by repetition",
     for (int r = 0; r < kRepetitions; ++r) {
         const Eigen::VectorXd x = normals(200, 2000 + 2 * r), e = normals(200, 2001 + 2 * r);
         const Estimate i = rank_index(x, x + e, {.halves = 60});
-        by_chance += independence_p(rank_index(x, e, {.halves = 20})) < 0.1 ? 1 : 0;
+        by_chance += independence_p(rank_index(x, e, {.halves = 20}), e) < 0.1 ? 1 : 0;
         value(r) = i.value;
         error(r) = i.std_error;
         held += i.interval.lower <= truth && truth <= i.interval.upper ? 1 : 0;
