@@ -2,8 +2,8 @@
 /// Values of one level that share an unknown: y_j = x + e_j, x ~ N(mu, prior), e_j ~ N(0, v_j).
 ///
 /// With x integrated out, ln p = -n / 2 ln 2 pi - log_scale - ln(shrink) / 2 - misfit / 2. The
-/// misfit, squares about mu less prior (sum - mu precision)^2 / shrink, is left to the caller:
-/// each keeps the order of its operations, and with it its bits.
+/// misfit, squares about mu less prior (sum - mu precision)^2 / shrink, is left to the caller.
+/// It is a difference: where v_j is below 1e-12 of y_j^2, rounding is all that is left of it.
 
 namespace core {
 

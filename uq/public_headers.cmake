@@ -22,6 +22,7 @@ set(UQ_PUBLIC_HEADERS
     fields/kernel.hpp
     fields/spatial_sample.hpp
     inference/adaptive_metropolis.hpp
+    inference/bounded_normal.hpp
     inference/calibration.hpp
     inference/chain_diagnostics.hpp
     inference/evidence.hpp

@@ -1,5 +1,6 @@
 set(UQ_ANALYSIS_SOURCES
     inference/adaptive_metropolis.cpp
+    inference/bounded_normal.cpp
     inference/calibration.cpp
     inference/chain_diagnostics.cpp
     inference/evidence.cpp

@@ -38,6 +38,11 @@ std::optional<TestColumn> column_of(const Csv& csv, std::string_view name,
     for (std::size_t c = 0; c < csv.head.size(); ++c) {
         const std::string& head = csv.head[c];
         if (bare_name(head) != name) continue;
+        for (std::size_t other = c + 1; other < csv.head.size(); ++other)
+            if (bare_name(csv.head[other]) == name)
+                throw ConfigError(csv.path, 1, csv.head[other],
+                                  "is a second column of " + in_quotes(name) + ", beside " +
+                                      in_quotes(head) + "; keep one of them");
         const std::size_t bracket = head.find_first_of("[(");
         if (bracket == std::string::npos && *units.begin() != "-")
             throw ConfigError(csv.path, 1, head,
@@ -120,6 +125,12 @@ std::optional<TestReading> reading_of(const std::string& head, double height)
     return r;
 }
 
+/// "force at 2 mm" and "force at 2.0 mm" are one reading.
+bool same_place(const TestReading& a, const TestReading& b)
+{
+    return std::abs(a.displacement - b.displacement) <= 1e-9 * a.displacement;
+}
+
 /// The columns that a table of tests may have.
 struct TestColumns {
     std::optional<TestColumn> stress, peak, stiffness, drop, censored, sigma, wall;
@@ -180,7 +191,9 @@ std::vector<TestReading> test_readings(const Csv& csv, double height)
     std::vector<TestReading> all;
     for (const std::string& head : csv.head) try {
             if (std::optional<TestReading> r = reading_of(head, height)) {
-                if (std::ranges::count(all, r->name, &TestReading::name) > 0)
+                if (std::ranges::any_of(all, [&](const TestReading& o) {
+                        return o.cycle == r->cycle && same_place(o, *r);
+                    }))
                     throw BadValue("there are two such columns; keep one of them");
                 all.push_back(std::move(*r));
             }

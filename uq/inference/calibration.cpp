@@ -1,9 +1,8 @@
 #include "uq/inference/calibration.hpp"
 
-#include "core/gauss_legendre.hpp"
-#include "core/level_normal.hpp"
 #include "core/normal.hpp"
 #include "uq/designs/stream.hpp"
+#include "uq/inference/bounded_normal.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,29 +17,40 @@ namespace {
 const double kLogTwoPi = std::log(2.0 * std::numbers::pi);
 constexpr int kStartTries = 200; ///< of one chain
 constexpr int kLonger = 4;
-
-/// ln P(Z > z), also where the probability is too small for a double.
-double log_survival(double z)
-{
-    if (z < 30.0) return std::log(core::normal_survival(z));
-    return -0.5 * (z * z + kLogTwoPi) - std::log(z) + std::log1p(-1.0 / (z * z));
-}
+constexpr double kLeastVariance =
+    1e-200; ///< of a test: its square root and inverse are numbers
 
 /// A scale with a half-normal prior, from a coordinate with a standard normal one.
 double half_normal(double coordinate, double scale)
 {
+    constexpr double kLine = 1e-8; // where the quantile of 1/2 + p / 2 is a line in p, to 1e-16
+    if (const double p = core::normal_cdf(coordinate); p < kLine)
+        return scale * p * std::sqrt(0.5 * std::numbers::pi);
     return scale * core::upper_normal_quantile(std::max(0.5 * core::normal_survival(coordinate),
                                                         std::numeric_limits<double>::min()));
 }
 
-/// The tests of one answer under a point: what they say of the discrepancy d ~ N(0, V).
+/// The tests of one answer under a point: what they say of the discrepancy d ~ N(0, V). Mean
+/// and squares about it are taken in test by test: differences of large sums would make a
+/// likelihood without end of one exact test.
 struct AnswerTests {
-    core::LevelSums seen;
-    int n = 0; ///< of them
-    struct Bound {
-        double residual, deviation; ///< y - m; of e
-    };
-    std::vector<Bound> bounds;
+    int n = 0;                      ///< values seen
+    double precision = 0.0;         ///< of 1 / v_j
+    double mean = 0.0;              ///< of y - m, weighed by 1 / v_j
+    double squares = 0.0;           ///< of (y - m - mean)^2 / v_j
+    double log_scale = 0.0;         ///< of ln(v_j) / 2
+    std::vector<NoisyBound> bounds; ///< y - m
+
+    void see(double residual, double variance)
+    {
+        const double weight = 1.0 / variance, off = residual - mean;
+        const double share = weight / (precision + weight);
+        squares += off * off * precision * share;
+        mean += share * off;
+        precision += weight;
+        log_scale += 0.5 * std::log(variance);
+        ++n;
+    }
 };
 
 std::vector<AnswerTests> tests_under(const CalibrationProblem& p, const CalibrationPoint& at,
@@ -51,53 +61,28 @@ std::vector<AnswerTests> tests_under(const CalibrationProblem& p, const Calibrat
         AnswerTests& a = all[t.answer];
         const auto i = static_cast<Eigen::Index>(t.answer);
         const double s = at.s(static_cast<Eigen::Index>(p.quantity[t.answer]));
-        const double variance = s * s + t.error * t.error + (p.own.size() > 0 ? p.own(i) : 0.0);
+        const double variance = std::max(
+            s * s + t.error * t.error + (p.own.size() > 0 ? p.own(i) : 0.0), kLeastVariance);
         const double residual = t.value - m.mean(i);
         if (t.at_least) {
             a.bounds.push_back({residual, std::sqrt(variance)});
             continue;
         }
-        ++a.n;
-        a.seen.precision += 1.0 / variance;
-        a.seen.sum += residual / variance;
-        a.seen.squares += residual * residual / variance;
-        a.seen.log_scale += 0.5 * std::log(variance);
+        a.see(residual, variance);
     }
     return all;
 }
 
 /// The discrepancy of an answer given the values seen, bounds aside.
-core::LevelNormal discrepancy_of(const AnswerTests& a, double prior)
-{
-    return core::level_normal(a.seen, 0.0, prior);
-}
+struct SeenDiscrepancy {
+    double mean, variance;
+    double shrink; ///< 1 + prior * precision
+};
 
-/// ln of the probability that all tests which are bounds are larger.
-double log_beyond(const std::vector<AnswerTests::Bound>& bounds, const core::LevelNormal& d)
+SeenDiscrepancy discrepancy_of(const AnswerTests& a, double prior)
 {
-    if (bounds.empty()) return 0.0;
-    if (const auto& first = bounds.front(); bounds.size() == 1)
-        return log_survival((first.residual - d.mean) /
-                            std::sqrt(d.variance + first.deviation * first.deviation));
-    constexpr double kFar = 7.0; // [standard deviations]
-    constexpr std::size_t kPanels = 8;
-    const double half = kFar / static_cast<double>(kPanels);
-    double total = 0.0;
-    const auto add = [&](double at, double weight) {
-        double log_p = 0.0;
-        for (const auto& b : bounds)
-            log_p +=
-                log_survival((b.residual - d.mean - std::sqrt(d.variance) * at) / b.deviation);
-        total += weight * core::normal_density(at) * std::exp(log_p);
-    };
-    for (std::size_t panel = 0; panel < kPanels; ++panel) {
-        const double middle = -kFar + half * (2.0 * static_cast<double>(panel) + 1.0);
-        for (std::size_t i = 0; i < core::kGauss16.node.size(); ++i)
-            for (const double side : {-1.0, 1.0})
-                add(middle + side * half * core::kGauss16.node[i],
-                    half * core::kGauss16.weight[i]);
-    }
-    return total > 0.0 ? std::log(total) : -std::numeric_limits<double>::infinity();
+    const double shrink = 1.0 + prior * a.precision;
+    return {prior * a.precision / shrink * a.mean, prior / shrink, shrink};
 }
 
 double discrepancy_prior(const CalibrationProblem& p, const CalibrationPoint& at,
@@ -161,22 +146,6 @@ void diagnose_all(CalibrationPosterior& posterior)
     }
 }
 
-/// A discrepancy: drawn without the bounds, kept as often as they hold.
-double drawn_discrepancy(const AnswerTests& a, double prior, Stream& random)
-{
-    constexpr int kTries = 1000;
-    const core::LevelNormal d = discrepancy_of(a, prior);
-    double value = d.mean;
-    for (int i = 0; i < kTries; ++i) {
-        value = d.mean + std::sqrt(d.variance) * random.normal();
-        double log_p = 0.0;
-        for (const auto& b : a.bounds)
-            log_p += log_survival((b.residual - value) / b.deviation);
-        if (a.bounds.empty() || random.uniform() < std::exp(log_p)) break;
-    }
-    return value;
-}
-
 } // namespace
 
 void check(const CalibrationProblem& p)
@@ -222,10 +191,10 @@ double log_likelihood(const CalibrationProblem& p, const CalibrationPoint& at)
         const AnswerTests& a = all[i];
         if (a.n == 0 && a.bounds.empty()) continue;
         const double prior = discrepancy_prior(p, at, m, i);
-        const core::LevelNormal d = discrepancy_of(a, prior);
-        const double misfit = a.seen.squares - prior * a.seen.sum * a.seen.sum / d.shrink;
-        sum += -0.5 * a.n * kLogTwoPi - a.seen.log_scale - 0.5 * std::log(d.shrink) -
-               0.5 * misfit + log_beyond(a.bounds, d);
+        const SeenDiscrepancy d = discrepancy_of(a, prior);
+        const double misfit = a.squares + a.mean * a.mean * a.precision / d.shrink;
+        sum += -0.5 * a.n * kLogTwoPi - a.log_scale - 0.5 * std::log(d.shrink) - 0.5 * misfit +
+               log_beyond(a.bounds, d.mean, d.variance);
     }
     return std::isnan(sum) ? -std::numeric_limits<double>::infinity() : sum;
 }
@@ -284,8 +253,9 @@ Eigen::MatrixXd further_tests(const CalibrationProblem& p,
         const std::vector<AnswerTests> all = tests_under(p, at, m);
         for (Eigen::Index i = 0; i < n; ++i) {
             const auto answer = static_cast<std::size_t>(i);
-            const double d =
-                drawn_discrepancy(all[answer], discrepancy_prior(p, at, m, answer), random);
+            const SeenDiscrepancy seen =
+                discrepancy_of(all[answer], discrepancy_prior(p, at, m, answer));
+            const double d = draw_beyond(all[answer].bounds, seen.mean, seen.variance, random);
             const double s = at.s(static_cast<Eigen::Index>(p.quantity[answer]));
             const double deviation = std::sqrt(s * s + (p.own.size() > 0 ? p.own(i) : 0.0));
             y(static_cast<Eigen::Index>(k), i) = m.mean(i) + d + deviation * random.normal();

@@ -107,6 +107,10 @@ TEST_CASE("calibration: mistakes of a table are named by file, line and column",
         "stress [MPa]\n1\n",
         "tests.csv:1: peak [kN], stiffness [kN/mm], drop [mm], force at 5 mm [kN], energy of "
         "cycle 1 [J]: there is none of these columns; give at least one of them");
+    refused("stress [MPa],drop [mm],drop [%]\n0.5,,0.4\n",
+            "tests.csv:1: drop [%]: is a second column of \"drop\", beside \"drop [mm]\"");
+    refused("stress [MPa],force at 2 mm [kN],force at 2.0 mm [kN]\n0.5,4,4\n",
+            "tests.csv:1: force at 2.0 mm [kN]: there are two such columns");
     refused("stress,peak [kN]\n0.5,40\n",
             "tests.csv:1: stress: missing unit; write \"stress [MPa]\"");
     refused("stress [MPa],peak\n0.5,40\n",

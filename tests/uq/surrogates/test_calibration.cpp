@@ -138,6 +138,27 @@ TEST_CASE("calibration: the likelihood is that of a normal vector with one discr
     CHECK(uq::log_likelihood(p, at) == Approx(exact).epsilon(1e-12));
 }
 
+TEST_CASE(
+    "calibration: one test without a repeat keeps its likelihood however small the scatter",
+    "[uq][calibration]")
+{
+    uq::CalibrationProblem p = problem(true);
+    p.tests = {{0, 3.4}};
+    for (const double s : {1e-3, 1e-6, 1e-9, 1e-10, 1e-13}) { // of repeats; tau alone is left
+        const uq::CalibrationPoint at{VectorXd::Zero(2), VectorXd::Constant(1, 0.3),
+                                      VectorXd::Constant(1, s)};
+        INFO(s);
+        const double variance = 0.09 + s * s;
+        CHECK(uq::log_likelihood(p, at) ==
+              Approx(-0.5 * (0.16 / variance + std::log(2.0 * std::numbers::pi * variance)))
+                  .epsilon(1e-12));
+    }
+    // a chain cannot fall into a hole that rounding makes
+    const uq::CalibrationPosterior posterior = uq::calibrate(p);
+    CHECK(uq::has_converged(posterior));
+    for (const uq::Chain& chain : posterior.chains) CHECK(chain.draws.minCoeff() > -6.0);
+}
+
 TEST_CASE("calibration: a bound counts by the chance that the test is larger",
           "[uq][calibration]")
 {
