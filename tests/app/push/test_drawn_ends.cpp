@@ -171,5 +171,5 @@ TEST_CASE("outlines of a study are refused without advice about a key that plays
     CHECK_THAT(why, !Catch::Contains("wall.snap"));
     CHECK_THAT(
         refusal_of("outlines = 0 0, 0.4 0, 0.4 0.3, 0 0.3; 0 0.5, 1 0.5, 1 1, 0 1\n", ""),
-        Catch::EndsWith("close the gaps"));
+        Catch::EndsWith("close the gap of 200 mm to the block at (0, 0)"));
 }
