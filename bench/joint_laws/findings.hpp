@@ -12,10 +12,13 @@ namespace bench {
 /// Studies in the order of kJointLaws, without those that were not run.
 struct LawRuns {
     NamedStudies random, mean;
-    /// Walls with mean values, one law each: as in `mean`, then more slowly and finer.
+    /// One law each: as in `mean`, then at other speeds and finer.
     std::vector<NamedStudies> mean_checks;
-    NamedStudies limits,
-        losses; ///< walls with mean values, by largest stiffness and by closure loss
+    /// One law each: fewer walls as in `random`, then the same more slowly and finer.
+    std::vector<NamedStudies> random_checks;
+    /// Walls with mean values by largest stiffness and by closure loss; one speed and
+    /// discretisation each, its default first.
+    std::vector<NamedStudies> limits, losses;
 };
 
 /// Sentences of which each needs its runs, else it is left out.

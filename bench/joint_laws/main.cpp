@@ -37,21 +37,23 @@ bench::NamedStudies of_laws(bench::LawStudies& all, const std::string& folder)
     return studies;
 }
 
-struct Check {
-    std::string name, file; ///< "0.3 %", "_slow"
+/// A speed of the push and a discretisation.
+struct Setting {
+    std::string name, file; ///< "3 %", "_fast"
+    bool every_law = true;  ///< else the paper's laws, and all with hyperbolic closure
 };
 
-/// The paper's laws, and all others together with hyperbolic closure, each as it stands and
-/// with these changes.
+/// Each law as it stands in FOLDER and with the other settings.
 std::vector<bench::NamedStudies> checks(bench::LawStudies& all, const std::string& folder,
-                                        const std::vector<Check>& changes)
+                                        const std::vector<Setting>& settings)
 {
     std::vector<bench::NamedStudies> laws;
-    for (const std::string_view file : {bench::kPaperLaw, bench::kAllLaws}) {
+    for (const bench::JointLaw& law : bench::kJointLaws) {
         bench::NamedStudies& studies = laws.emplace_back();
-        for (const Check& c : changes)
-            add(studies, all, std::string(bench::name_of(file)) + ", " + c.name,
-                folder + "/" + std::string(file) + c.file);
+        for (const Setting& s : settings)
+            if (s.every_law || law.file == bench::kPaperLaw || law.file == bench::kAllLaws)
+                add(studies, all, std::string(law.name) + ", " + s.name,
+                    folder + "/" + std::string(law.file) + s.file);
     }
     return laws;
 }
@@ -63,14 +65,28 @@ bench::NamedStudies together(const std::vector<bench::NamedStudies>& parts)
     return all;
 }
 
-/// The default first, which `mean/all_hyperbolic` is.
-bench::NamedStudies choices(bench::LawStudies& all, const std::string& usual,
-                            const std::vector<std::pair<std::string, std::string>>& others)
+/// A value of a key, as tables name it, and the file of its study.
+struct Choice {
+    std::string name, file; ///< "60 GPa/m", "limit_60"
+};
+
+/// By setting: the default first, which `mean/all_hyperbolic` is, then the other values of KEY.
+std::vector<bench::NamedStudies> choices(bench::LawStudies& all, const std::string& key,
+                                         const std::string& usual,
+                                         const std::vector<Choice>& others,
+                                         const std::vector<Setting>& settings)
 {
-    bench::NamedStudies studies;
-    add(studies, all, usual, "mean/" + std::string(bench::kAllLaws));
-    for (const auto& [name, file] : others) add(studies, all, name, "choice/" + file);
-    return studies;
+    std::vector<bench::NamedStudies> by_setting;
+    for (const Setting& s : settings) {
+        bench::NamedStudies& studies = by_setting.emplace_back();
+        const auto name = [&](const std::string& value) {
+            return key + " = " + value + ", " + s.name;
+        };
+        add(studies, all, name(usual), "mean/" + std::string(bench::kAllLaws) + s.file);
+        for (const Choice& c : others)
+            add(studies, all, name(c.name), "choice/" + c.file + s.file);
+    }
+    return by_setting;
 }
 
 std::string number_tables(const bench::NamedStudies& studies,
@@ -110,28 +126,36 @@ std::string laws_text()
 
 std::string page_of(bench::LawStudies& all, std::span<const bench::TestedWall> tests)
 {
-    bench::LawRuns runs{of_laws(all, "random"), of_laws(all, "mean"), {}, {}, {}};
+    bench::LawRuns runs{of_laws(all, "random"), of_laws(all, "mean"), {}, {}, {}, {}};
     runs.mean_checks = checks(all, "mean",
                               {{"1 %, as in section 2", ""},
-                               {"0.3 %", "_slow"},
+                               {"0.3 %", "_slow", false},
                                {"3 %", "_fast"},
                                {"3 %, fine", "_fine"}});
-    const std::string limit = "joint.largest_stiffness = ", loss = "joint.closure_loss = ";
-    runs.limits = choices(all, limit + "487 GPa/m (default: 100 k_0)",
-                          {{limit + "60 GPa/m", "limit_60"},
-                           {limit + "120 GPa/m", "limit_120"},
-                           {limit + "240 GPa/m", "limit_240"},
-                           {limit + "1000 GPa/m", "limit_1000"}});
-    runs.losses = choices(all, loss + "0 (default)",
-                          {{loss + "0.1", "loss_0.1"}, {loss + "0.3", "loss_0.3"}});
-    const auto random_checks = together(checks(all, "checked",
-                                               {{"3 %, simple, as in section 1", ""},
-                                                {"1 %, simple", "_slow"},
-                                                {"3 %, standard", "_fine"}}));
+    const std::vector<Setting> choice_settings = {
+        {"1 %", ""}, {"3 %", "_fast"}, {"3 %, fine", "_fine"}};
+    runs.limits = choices(all, "joint.largest_stiffness", "487 GPa/m (default: 100 k_0)",
+                          {{"60 GPa/m", "limit_60"},
+                           {"120 GPa/m", "limit_120"},
+                           {"240 GPa/m", "limit_240"},
+                           {"1000 GPa/m", "limit_1000"}},
+                          choice_settings);
+    const std::string loss = "joint.closure_loss";
+    runs.losses = choices(all, loss, "0 (default)", {{"0.1", "loss_0.1"}, {"0.3", "loss_0.3"}},
+                          choice_settings);
+    runs.random_checks = checks(all, "checked",
+                                {{"3 %, simple, as in section 1", ""},
+                                 {"1 %, simple", "_slow"},
+                                 {"3 %, standard", "_fine"}});
+    const bench::NamedStudies random_checks = together(runs.random_checks);
     bench::NamedStudies cycles;
-    add(cycles, all, "paper", "cycles/paper");
-    for (const char* share : {"0", "0.1", "0.3"})
-        add(cycles, all, "closure, " + loss + share, std::string("cycles/loss_") + share);
+    for (const Setting& s :
+         {Setting{"3 %", ""}, Setting{"1 %", "_slow"}, Setting{"3 %, fine", "_fine"}}) {
+        add(cycles, all, "paper, " + s.name, "cycles/paper" + s.file);
+        for (const char* share : {"0", "0.1", "0.3"})
+            add(cycles, all, "closure, " + loss + " = " + share + ", " + s.name,
+                std::string("cycles/loss_") + share + s.file);
+    }
 
     const auto walls_of = [](const bench::NamedStudies& studies) {
         return studies.empty() ? std::string("0")
@@ -181,14 +205,15 @@ std::string page_of(bench::LawStudies& all, std::span<const bench::TestedWall> t
     text += "## 3. Other speeds and discretisations\n\nThe same walls at another "
             "`solver.accuracy` and with another `solver.fidelity`. The wall with mean values, "
             "`standard` unless it says fine:\n\n" +
-            number_tables(together(runs.mean_checks), {}, false) + "Random walls, " +
+            number_tables(together(runs.mean_checks), {}, true) + "Random walls, " +
             walls_of(random_checks) +
             " under each stress. If this number differs from that in section 1, they are other "
             "walls than there:\n\n" +
             app::as_markdown(bench::random_walls(random_checks));
     text += "\n## 4. Free choices of closure\n\nThe wall with mean values, all "
-            "laws and hyperbolic closure, one key at a time.\n\n" +
-            number_tables(together({runs.limits, runs.losses}), {}, false) +
+            "laws and hyperbolic closure, one key at a time, at two speeds and on two "
+            "discretisations.\n\n" +
+            number_tables(together({together(runs.limits), together(runs.losses)}), {}, false) +
             "Equivalent viscous damping of each cycle of a wall of 1.0 x 1.2 m whose stones do "
             "not crack, under 0.50 MPa and with mean values, by the amplitude. Part of the "
             "damping comes from the solver ([cyclic.md](cyclic.md)).\n\n" +

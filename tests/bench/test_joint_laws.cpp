@@ -99,6 +99,19 @@ TEST_CASE("joint laws: sentences follow the numbers, and wait for their runs",
     const auto more = bench::findings(runs, tests);
     CHECK(more.size() == 3);
     CHECK(says(more, "by up to 1.0 % and its 80 % drop by up to a factor of 2.00."));
+    runs.random_checks = {{{"usual", study_of({5.0, 22.0, 22.0, 22.0}, 40.0)},
+                           {"slow", study_of({22.0, 22.0, 22.0, 22.0}, 39.0)}}};
+    CHECK(says(bench::findings(runs, tests),
+               "of the same 4 walls under one stress by up to 2.6 %, and their share down "
+               "within a drift of 1 % by up to 25 points."));
+    const auto at = [](const std::string& setting, double peak_kN) {
+        return bench::NamedStudies{{"default, " + setting, study_of({11.0}, 40.0)},
+                                   {"other, " + setting, study_of({22.0}, peak_kN)}};
+    };
+    runs.limits = {at("1 %", 44.0), at("3 %, fine", 42.0)};
+    CHECK(says(bench::findings(runs, tests),
+               "by up to 10.0 % (1 %) and 5.0 % (3 %, fine) and its 80 % drop by up to a "
+               "factor of 2.0."));
 }
 
 TEST_CASE("joint laws: the numbers of the tests that are kept are those of the other pages",
