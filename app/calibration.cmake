@@ -10,6 +10,7 @@ drystone_app_library(calibration
     calibration/calibration_words.cpp
     calibration/measured_tests.cpp
     calibration/posterior_study.cpp
+    calibration/test_notes.cpp
     calibration/tested_factor.cpp
     calibration/tested_quantity.cpp)
 target_link_libraries(drystone_app_calibration PUBLIC drystone_app_fragility drystone_uq_surrogates PRIVATE Threads::Threads)

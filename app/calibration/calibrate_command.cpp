@@ -1,4 +1,5 @@
 #include "app/calibration/calibration_output.hpp"
+#include "app/calibration/test_notes.hpp"
 #include "app/calibration/tested_factor.hpp"
 #include "app/commands.hpp"
 #include "app/fragility/drift_csv.hpp"
@@ -165,6 +166,7 @@ int calibrate_command(const Command& command)
     check_stresses(csv, tests, study.load.vertical_stress);
     const bool taught = !study.calibration.inputs.empty();
     const CalibratedInputs inputs = taught ? calibrated_inputs(study) : CalibratedInputs{};
+    if (!command.quiet) std::cerr << test_notes(csv, study.load.height, taught);
     check_place(command, taught);
     catch_interrupts();
     Progress progress(std::cerr, stderr_progress(command.quiet), steady_seconds);

@@ -2,7 +2,7 @@
 
 #include "app/input/keys/limit_state_text.hpp"
 #include "app/input/wall/random_layouts.hpp"
-#include "app/sampling/wall_draw.hpp"
+#include "app/sampling/sample_plan.hpp"
 #include "app/study/pushed/both_ways.hpp"
 #include "app/study/pushed/push_walls.hpp"
 #include "app/study/pushed/wall_frames.hpp"
@@ -12,22 +12,19 @@
 #include <limits>
 
 namespace app {
-namespace {
 
-WallDraw draw_at(const Study& study, const CalibratedInputs& inputs, const Eigen::VectorXd& u,
-                 std::uint64_t seed, std::uint64_t row)
+WallDraw wall_at(const uq::SpatialPlan& others, const CalibratedInputs& inputs,
+                 const Eigen::VectorXd& u, std::uint64_t seed, std::uint64_t row)
 {
-    WallDraw draw;
     uq::Stream random(seed, row, uq::Purpose::prediction);
-    for (const RandomInput& r : study.random)
-        draw.values.push_back({uq::from_normal(r.marginal, random.normal())});
+    Eigen::VectorXd normal(others.n_columns);
+    for (double& z : normal) z = random.normal();
+    WallDraw draw{uq::draw(others, normal, random)};
     const Eigen::VectorXd values = to_values(inputs, u);
     for (std::size_t i = 0; i < inputs.inputs.size(); ++i)
         draw.values[inputs.inputs[i].place] = {values(static_cast<Eigen::Index>(i))};
     return draw;
 }
-
-} // namespace
 
 bool is_pushed_again(const PreparedStudy& ready)
 {
@@ -47,14 +44,15 @@ Eigen::MatrixXd pushed_answers(const PreparedStudy& ready, const CalibratedInput
     Eigen::MatrixXd y =
         Eigen::MatrixXd::Constant(u.rows(), static_cast<Eigen::Index>(answers.size()),
                                   std::numeric_limits<double>::quiet_NaN());
+    const uq::SpatialPlan others = value_plan(ready.study, ready.layout, false);
     std::size_t done = 0;
     PushList list;
     list.size = rows * levels;
     list.wall = [&](std::size_t i) -> WantedWall {
         const std::size_t row = i / levels;
         return {static_cast<int>(i % levels),
-                draw_at(ready.study, inputs, u.row(static_cast<Eigen::Index>(row)).transpose(),
-                        seed, row)};
+                wall_at(others, inputs, u.row(static_cast<Eigen::Index>(row)).transpose(), seed,
+                        row)};
     };
     list.done = [&](std::size_t i, const WallDraw&, PushedWall&& wall) {
         for (std::size_t a = 0; a < answers.size(); ++a) {

@@ -3,6 +3,8 @@
 
 #include "app/calibration/calibration_data.hpp"
 #include "app/input/prepared_study.hpp"
+#include "app/sampling/wall_draw.hpp"
+#include "uq/fields/spatial_sample.hpp"
 
 #include <Eigen/Core>
 
@@ -15,6 +17,13 @@ namespace app {
 /// Whether a wall of the study is one push of one layout, and can be pushed again by its inputs
 /// alone.
 [[nodiscard]] bool is_pushed_again(const PreparedStudy& ready);
+
+/// The values of a wall whose calibrated inputs have these coordinates. The others are drawn
+/// as the study draws them, with its correlations and joint rows.
+/// @param others value_plan(study, layout, false) of a study whose inputs have one value a wall
+/// @param row the same seed and row draw the same values
+[[nodiscard]] WallDraw wall_at(const uq::SpatialPlan& others, const CalibratedInputs& inputs,
+                               const Eigen::VectorXd& u, std::uint64_t seed, std::uint64_t row);
 
 /// ln of the answers of walls with these inputs, a row for each and a column for each answer;
 /// NaN where a wall does not have it. Other random inputs are drawn, row by row, from the seed.

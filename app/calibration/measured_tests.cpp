@@ -61,6 +61,9 @@ std::optional<TestColumn> column_of(const Csv& csv, std::string_view name,
     return {};
 }
 
+/// Values that no test has, in any of the units: they would end in numbers that are not finite.
+constexpr double kLeast = 1e-9, kMost = 1e9;
+
 /// Nothing where the cell says that the value is not known.
 std::optional<double> positive_at(const Csv& csv, const CsvRow& row,
                                   std::optional<TestColumn> column)
@@ -70,6 +73,8 @@ std::optional<double> positive_at(const Csv& csv, const CsvRow& row,
     if (!(x > 0.0))
         refuse_cell(csv, row, column->place,
                     "must be above 0; write NA if it was not measured");
+    if (!(x >= kLeast && x <= kMost))
+        refuse_cell(csv, row, column->place, "is no number of a wall; check it and its unit");
     return x;
 }
 

@@ -72,21 +72,27 @@ std::uint64_t level_seed(const UqInput& uq, double vertical_stress)
                     uq::Purpose::replicate, 0);
 }
 
-SamplePlan sample_plan(const Study& study, const dem::Layout& layout,
-                       std::span<const std::uint32_t> sizes)
+uq::SpatialPlan value_plan(const Study& study, const dem::Layout& layout, bool latin)
 {
     std::vector<uq::SpatialInput> inputs;
     for (const RandomInput& input : study.random)
         inputs.push_back(spatial_input(input, study.uq.spatial, layout));
+    uq::SpatialPlan plan = uq::spatial_plan(std::move(inputs), fields_of(study, layout),
+                                            dependence_of(study), latin);
+    plan.together = joint_rows(study);
+    return plan;
+}
+
+SamplePlan sample_plan(const Study& study, const dem::Layout& layout,
+                       std::span<const std::uint32_t> sizes)
+{
     SamplePlan plan{study.uq.spatial,
                     study.random,
-                    uq::spatial_plan(std::move(inputs), fields_of(study, layout),
-                                     dependence_of(study), is_latin(study.uq.design)),
+                    value_plan(study, layout, is_latin(study.uq.design)),
                     {},
                     {},
                     joint_sites(layout),
                     crack_sites(layout)};
-    plan.values.together = joint_rows(study);
     for (const double stress : study.load.vertical_stress) {
         plan.seeds.push_back(level_seed(study.uq, stress));
         plan.design.push_back(design_of(study, plan.values, plan.seeds.back(), sizes));

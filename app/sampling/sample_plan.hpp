@@ -29,6 +29,12 @@ struct SamplePlan {
 /// list.
 [[nodiscard]] std::uint64_t level_seed(const UqInput& uq, double vertical_stress);
 
+/// How standard normal numbers become the values of a wall.
+/// @param latin whether their rows are those of a Latin hypercube
+/// @throws ConfigError where the correlation or the rows asked for cannot be had
+[[nodiscard]] uq::SpatialPlan value_plan(const Study& study, const dem::Layout& layout,
+                                         bool latin);
+
 /// The plan of a study's draws.
 /// @param sizes through which the design has grown, the last one study.uq.samples
 /// @throws ConfigError where the study asks for what its design or correlation cannot give

@@ -1,4 +1,5 @@
 #include "app/calibration/calibration_output.hpp"
+#include "app/calibration/calibration_pushes.hpp"
 #include "app/commands.hpp"
 #include "app/input/command_line.hpp"
 #include "app/input/study_reading.hpp"
@@ -105,6 +106,36 @@ TEST_CASE(
     CHECK(app::to_values(c, Eigen::Vector2d(2.0, 0.0))(1) >
           app::to_values(c, Eigen::Vector2d(0.0, 0.0))(1));
     CHECK(app::calibrated_inputs(study_of("inputs = all\n")).all);
+}
+
+TEST_CASE("calibration: walls that are pushed again keep the correlation of the inputs that "
+          "are not taught",
+          "[app][calibration]")
+{
+    const app::PreparedStudy ready = app::prepare(
+        study_of("inputs = joint.friction_angle\n",
+                 "samples = 25\npearson = unit.tensile_strength unit.friction_angle 0.9\n"));
+    const app::CalibratedInputs inputs = app::calibrated_inputs(ready.study);
+    const uq::SpatialPlan others = app::value_plan(ready.study, ready.layout, false);
+    const auto place = [&](const char* key) {
+        return static_cast<std::size_t>(
+            std::ranges::find(ready.study.random, key, &app::RandomInput::key) -
+            ready.study.random.begin());
+    };
+    const std::size_t a = place("unit.tensile_strength"), b = place("unit.friction_angle");
+    constexpr int kWalls = 2000;
+    const Eigen::VectorXd u = Eigen::VectorXd::Constant(1, 0.5);
+    Eigen::MatrixX2d drawn(kWalls, 2);
+    for (int row = 0; row < kWalls; ++row) {
+        const app::WallDraw wall = app::wall_at(others, inputs, u, 7, row);
+        CHECK(wall.values[inputs.inputs[0].place] ==
+              std::vector<double>{app::to_values(inputs, u)(0)});
+        drawn.row(row) << wall.values[a].at(0), wall.values[b].at(0);
+    }
+    drawn.rowwise() -= drawn.colwise().mean();
+    const double r =
+        drawn.col(0).dot(drawn.col(1)) / (drawn.col(0).norm() * drawn.col(1).norm());
+    CHECK(r == Approx(0.9).margin(0.02)); // 4 standard errors
 }
 
 TEST_CASE("calibration: inputs that tests cannot teach are refused in plain words",

@@ -1,3 +1,4 @@
+#include "app/calibration/test_notes.hpp"
 #include "app/calibration/tested_factor.hpp"
 #include "app/commands.hpp"
 #include "app/input/command_line.hpp"
@@ -132,6 +133,8 @@ TEST_CASE("calibration: mistakes of a table are named by file, line and column",
             "tests.csv:3: peak [kN]: must be above 0; write NA if it was not measured");
     refused("stress [MPa],peak [kN]\n0.5,-4\n",
             "tests.csv:2: peak [kN]: \"-4\" is negative; it must be at least 0");
+    refused("stress [MPa],peak [kN]\n0.5,1e300\n",
+            "tests.csv:2: peak [kN]: is no number of a wall; check it and its unit");
     refused("stress [MPa],peak [kN]\n0.5,nan\n",
             "tests.csv:2: peak [kN]: \"nan\" is not a finite number");
     refused("stress [MPa],peak [kN]\n,40\n", "tests.csv:2: stress [MPa]: empty cell; write the "
@@ -148,6 +151,29 @@ TEST_CASE("calibration: mistakes of a table are named by file, line and column",
         "stress [MPa],peak [kN],sigma\n0.5,40,5\n",
         "tests.csv:2: sigma: must be a share of the measured value in [0, 1], or in % under "
         "\"sigma [%]\"");
+}
+
+TEST_CASE("calibration: columns without effect and rows that stand there twice are named",
+          "[app][calibration]")
+{
+    const auto notes = [](const std::string& text, bool taught) {
+        return app::test_notes(table(text), 1.1, taught);
+    };
+    CHECK(notes("wall,stress [MPa],peak [kN],drop [mm],censored\nA,0.5,40,9,no\n", false)
+              .empty());
+    CHECK(notes("stress [MPa],peak [kN],stifness [kN/mm],remark\n0.5,40,9,wet\n", true) ==
+          "note: tests.csv:1: \"stifness [kN/mm]\" is not read; did you mean "
+          "\"stiffness\"?\n"
+          "note: tests.csv:1: \"remark\" is not read\n");
+    const std::string learned = "stress [MPa],peak [kN],sigma [%],force at 5 mm [kN]\n"
+                                "0.5,40,2,30\n0.5,41,2,30\n0.5,40,2,30\n";
+    CHECK(notes(learned, true) ==
+          "note: tests.csv:4: is the same as line 2, and counts as a further test; remove it "
+          "if it is none\n");
+    CHECK_THAT(
+        notes(learned, false),
+        Catch::StartsWith("note: tests.csv:1: \"sigma [%]\" has no effect on a factor") &&
+            Catch::Contains("\"force at 5 mm [kN]\" has no effect"));
 }
 
 TEST_CASE("calibration: a drift is a displacement under the load; bounds, stiffness and errors",
