@@ -172,7 +172,7 @@ std::string sureness(const LawRuns& runs)
            ". Two laws must differ by more than this to be told apart on one wall.";
 }
 
-/// What another speed or a finer wall changes in the numbers of the same random walls.
+/// Effect of another speed or a finer wall on the numbers of the same random walls.
 std::string random_sureness(const LawRuns& runs)
 {
     Extent peaks, shares;
