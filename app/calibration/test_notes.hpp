@@ -1,5 +1,5 @@
 #pragma once
-/// What a table of tests holds and a calibration cannot use.
+/// Notes on what a table of tests holds and a calibration does not use.
 
 #include "app/text/csv.hpp"
 
