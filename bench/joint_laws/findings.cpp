@@ -169,7 +169,8 @@ std::string sureness(const LawRuns& runs)
            "with mean values by up to " +
            app::fixed(100.0 * (peaks.most - 1.0), 1) +
            " % and its 80 % drop by up to a factor of " + app::fixed(drops.most, 2) +
-           ". Two laws must differ by more than this to be told apart on one wall.";
+           ". Two laws, or two values of a free choice, must differ by more than this to be "
+           "told apart on one wall.";
 }
 
 /// Effect of another speed or a finer wall on the numbers of the same random walls.
