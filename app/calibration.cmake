@@ -10,6 +10,7 @@ drystone_app_library(calibration
     calibration/calibration_words.cpp
     calibration/measured_tests.cpp
     calibration/posterior_study.cpp
+    calibration/test_columns.cpp
     calibration/test_notes.cpp
     calibration/tested_factor.cpp
     calibration/tested_quantity.cpp)

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <future>
 #include <stdexcept>
+#include <utility>
 
 namespace app {
 namespace {
@@ -218,8 +219,12 @@ CalibrationRun run_calibration(const PreparedStudy& ready, const CalibratedInput
     run.prior = prior_answers(problem, study.uq.seed);
     run.left_out.resize(study.load.vertical_stress.size());
     on_threads(run.left_out.size(), threads, [&](std::size_t level) {
-        if (const auto p = without_level(problem, data, level))
-            run.left_out[level] = taught(*p, study.uq.seed, short_chains()).further;
+        const auto p = without_level(problem, data, level);
+        if (!p) return;
+        uq::CalibrationOptions options = short_chains();
+        options.longer = 2;
+        Taught t = taught(*p, study.uq.seed, options);
+        run.left_out[level] = {std::move(t.further), uq::has_converged(t.posterior)};
     });
     return run;
 }

@@ -27,14 +27,18 @@ struct Taught {
     Eigen::MatrixXd further;
 };
 
+/// Further tests under one stress by the tests under all others.
+struct LeftOut {
+    Eigen::MatrixXd further; ///< empty: no test is under the stress, or no other stress has one
+    bool converged = true;   ///< the chains agreed
+};
+
 struct CalibrationRun {
     std::vector<AnswerSurrogate> surrogates; ///< of each answer
     uq::AnswerModel model;
     Taught with, without;  ///< discrepancy
     Eigen::MatrixXd prior; ///< ln of each answer at kPosteriorPoints points of the prior
-    /// Further tests under each stress by the tests under all others; empty where no test is
-    /// under the stress, or no other stress has one.
-    std::vector<Eigen::MatrixXd> left_out;
+    std::vector<LeftOut> left_out; ///< of each stress
     std::vector<SurrogateMiss>
         miss; ///< of each answer, on walls never used; empty: not checked
     std::vector<SurrogateMiss> first_miss; ///< before they were added; empty: that was enough

@@ -100,7 +100,7 @@ Table further_wall_table(const CalibrationReport& r)
                           further_cell(r.run->prior, a, q.decimals),
                           further_cell(r.run->with.further, a, q.decimals),
                           further_cell(r.run->without.further, a, q.decimals),
-                          further_cell(r.run->left_out[answer.level], a, q.decimals)});
+                          further_cell(r.run->left_out[answer.level].further, a, q.decimals)});
     }
     return t;
 }
@@ -122,7 +122,8 @@ Table test_table(const CalibrationReport& r)
         const MeasuredTest& test = (*r.tests)[used.test];
         const CalibratedAnswer& answer = r.data->answers[used.answer];
         const TestedQuantity& q = quantity_of(r, answer);
-        const Number by = further_cell(r.run->left_out[answer.level], used.answer, q.decimals);
+        const Number by =
+            further_cell(r.run->left_out[answer.level].further, used.answer, q.decimals);
         const bool known = std::isfinite(by.value);
         const bool holds = used.at_least ? used.value <= by.upper
                                          : used.value >= by.lower && used.value <= by.upper;

@@ -1,5 +1,6 @@
 #include "app/calibration/calibration_output.hpp"
 #include "app/output/table/cells.hpp"
+#include "app/study/stored/stress_text.hpp"
 #include "app/text/number_text.hpp"
 #include "app/text/words.hpp"
 
@@ -77,6 +78,28 @@ std::string answer_text(const CalibrationReport& r)
     return text + "\n";
 }
 
+/// Chains beside those of the answer that do not agree; empty: all do.
+std::string others_unconverged(const CalibrationReport& r)
+{
+    const CalibrationRun& run = *r.run;
+    const bool other = uq::has_converged(
+        (r.study->calibration.discrepancy ? run.without : run.with).posterior);
+    std::string without;
+    for (std::size_t level = 0; level < run.left_out.size(); ++level)
+        if (!run.left_out[level].converged)
+            without += (without.empty() ? "" : ", ") +
+                       stress_text(r.study->load.vertical_stress[level]);
+    std::string text;
+    if (!other)
+        text += std::string("Not converged: the chains ") +
+                (r.study->calibration.discrepancy ? "without" : "with") +
+                " discrepancy. Do not compare their evidence.\n";
+    if (!without.empty())
+        text += "Not converged: what the tests under the other stresses say of " + without +
+                ". Do not use \"by other stresses\" there.\n";
+    return text;
+}
+
 std::string doubt_text(const CalibrationReport& r)
 {
     const uq::CalibrationPosterior& p = answer_of(*r.study, *r.run).posterior;
@@ -91,6 +114,7 @@ std::string doubt_text(const CalibrationReport& r)
     else
         text += "The chains agree: R-hat " + fixed(p.r_hat, 3) + ", " + fixed(p.effective, 0) +
                 " effective draws.\n";
+    text += others_unconverged(r);
     const uq::Evidence a = r.run->with.posterior.evidence,
                        b = r.run->without.posterior.evidence;
     text += "ln of the evidence: " + fixed(a.log_value, 2) + " +- " + fixed(a.std_error, 2) +

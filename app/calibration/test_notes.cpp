@@ -1,6 +1,6 @@
 #include "app/calibration/test_notes.hpp"
 
-#include "app/calibration/measured_tests.hpp"
+#include "app/calibration/test_columns.hpp"
 #include "app/text/words.hpp"
 
 #include <algorithm>
@@ -11,19 +11,18 @@
 namespace app {
 namespace {
 
-constexpr std::array<std::string_view, 7> kColumns = {"stress",   "peak",  "stiffness", "drop",
-                                                      "censored", "sigma", "wall"};
-
-bool is_column(std::string_view name, const std::vector<TestReading>& readings)
+bool is_reading(std::string_view name, const std::vector<TestReading>& readings)
 {
-    return std::ranges::find(kColumns, name) != kColumns.end() ||
-           std::ranges::find(readings, name, &TestReading::name) != readings.end();
+    return std::ranges::find(readings, name, &TestReading::name) != readings.end();
 }
 
-bool only_inputs_learn(std::string_view name, const std::vector<TestReading>& readings)
+/// Nothing where no column has a name like this one.
+std::string did_you_mean(std::string_view name)
 {
-    return name == "stiffness" || name == "sigma" ||
-           std::ranges::find(readings, name, &TestReading::name) != readings.end();
+    std::array<std::string_view, kTestHeads.size()> names;
+    std::ranges::transform(kTestHeads, names.begin(), &TestHead::name);
+    const std::string_view near = nearest_word(name, names);
+    return near.empty() ? "" : "; did you mean " + in_quotes(near) + "?";
 }
 
 std::string note_at(const Csv& csv, int line, const std::string& what)
@@ -53,14 +52,11 @@ std::string test_notes(const Csv& csv, double height, bool taught)
     std::string notes;
     for (const std::string& head : csv.head) {
         const std::string_view name = bare_name(head);
-        if (!is_column(name, readings)) {
-            const std::string_view near = nearest_word(name, kColumns);
-            notes +=
-                note_at(csv, 1,
-                        in_quotes(head) + " is not read" +
-                            (near.empty() ? "" : "; did you mean " + in_quotes(near) + "?"));
-        }
-        if (!taught && only_inputs_learn(name, readings))
+        const auto known = std::ranges::find(kTestHeads, name, &TestHead::name);
+        const bool reading = is_reading(name, readings);
+        if (known == kTestHeads.end() && !reading)
+            notes += note_at(csv, 1, in_quotes(head) + " is not read" + did_you_mean(name));
+        if (!taught && (reading || (known != kTestHeads.end() && known->inputs_only)))
             notes += note_at(csv, 1,
                              in_quotes(head) +
                                  " has no effect on a factor, which compares peaks and drops; "

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <exception>
 #include <map>
 #include <string>
 #include <utility>
@@ -24,15 +23,15 @@ constexpr std::size_t kDeepestGroup = 256; // groups within groups
 struct SvgContent {
     RawDrawing drawing;
     double snap = 0.0;
-    XML_Parser parser = nullptr;
+    SvgNodes nodes;
     std::vector<SvgGroup> groups;
-    std::size_t skipped = 0; ///< depth within an element that is passed over
+    std::vector<std::size_t> cloned; ///< elements that are being read as clones
+    std::size_t clones = 0;          ///< elements that were read within clones
     std::map<std::string, std::size_t> ignored;
     HiddenShapes hidden;
     std::size_t clipped = 0;      ///< outlines of which only a part is shown
     std::vector<SvgPaint> paints; ///< of the outlines of the drawing
     SvgStyleSheet sheet;
-    std::exception_ptr error; ///< kept while the parser, which is C, returns
 };
 
 dem::Point placed(const SvgContent& content, const SvgElement& element,
@@ -112,12 +111,6 @@ void refuse_shape(const SvgContent& content, const SvgElement& element, const Sv
                "at " + at("cx", "cy") + " there is a " + std::string(element.name) +
                    "; convert it to a path of straight pieces");
     }
-    if (element.name == "use") {
-        refuse(content.drawing.frame, element.place.line,
-               "at " + at("x", "y") +
-                   " there is a clone (use); unlink it, so that its outline is in the drawing "
-                   "itself");
-    }
     if (element.name == "svg") {
         refuse(content.drawing.frame, element.place.line,
                "has a drawing within the drawing (svg); ungroup it");
@@ -162,42 +155,106 @@ void begin_group(SvgContent& content, const SvgElement& element, SvgGroup group)
     content.groups.push_back(std::move(group));
 }
 
-void begin_element(SvgContent& content, std::string_view name, const XML_Char** attributes)
+/// The element that a clone repeats.
+std::size_t original_of(const SvgContent& content, const SvgElement& use)
+{
+    const auto refused = [&](const std::string& why) {
+        refuse(content.drawing.frame, use.place.line,
+               "a clone (use) " + why + "; unlink it, so that its outline is in the drawing");
+    };
+    const char* link = use.find("href");
+    if (link == nullptr) link = use.find("xlink:href");
+    const std::string_view text = link ? without_blanks(link) : "";
+    if (!text.starts_with('#')) refused("does not name an element of this file");
+    const auto found = content.nodes.by_id.find(std::string(text.substr(1)));
+    if (found == content.nodes.by_id.end())
+        refused("repeats \"" + readable_name(text.substr(0, 40)) + "\", which is not there");
+    if (std::ranges::find(content.cloned, found->second) != content.cloned.end())
+        refused("repeats itself");
+    const SvgNode& original = content.nodes.all[found->second];
+    const SvgElement element{original.name, original.attributes, use.place};
+    if (original.name == "symbol" && element.find("viewBox") != nullptr)
+        refused("repeats a symbol that has a viewBox, which is not read");
+    return found->second;
+}
+
+void read_within(SvgContent& content, std::size_t begin, std::size_t end);
+
+/// Reads an element again, at the place of its clone.
+void add_clone(SvgContent& content, const SvgElement& use, SvgGroup group)
+{
+    const std::size_t original = original_of(content, use);
+    group.transform =
+        group.transform * PlaneTransform{1, 0, 0, 1, use.length("x"), use.length("y")};
+    begin_group(content, use, std::move(group));
+    content.cloned.push_back(original);
+    read_within(content, original, content.nodes.all[original].end);
+    content.cloned.pop_back();
+    content.groups.pop_back();
+}
+
+bool is_group(const SvgContent& content, std::size_t place, std::string_view name)
+{
+    const bool original = !content.cloned.empty() && content.cloned.back() == place;
+    return name == "g" || name == "a" || name == "switch" || (name == "symbol" && original);
+}
+
+/// An element that is none of a group's.
+void add_element(SvgContent& content, const SvgElement& element)
 {
     constexpr std::array<std::string_view, 14> kSilent = {
         "defs",   "title",  "desc", "metadata", "style",  "script",         "clipPath",
         "marker", "symbol", "mask", "pattern",  "filter", "linearGradient", "radialGradient"};
-    if (name.starts_with("svg:")) name.remove_prefix(4);
-    if (content.skipped > 0) {
-        ++content.skipped;
-        return;
-    }
-    const SvgElement element{
-        name,
-        attributes,
-        {&content.drawing.frame, static_cast<int>(XML_GetCurrentLineNumber(content.parser))}};
-    if (content.groups.empty()) {
-        if (name != "svg")
-            refuse(content.drawing.frame, element.place.line,
-                   "is not SVG: it begins with <" + readable_name(name.substr(0, 40)) + ">");
-        state_page_unit(content.drawing, element);
-        return begin_group(content, element, group_within({}, content.sheet, element));
-    }
-    if (name == "g" || name == "a" || name == "switch")
-        return begin_group(content, element,
-                           group_within(content.groups.back(), content.sheet, element));
-    content.skipped = 1;
+    const std::string_view name = element.name;
     if (name.find(':') != std::string_view::npos)
         return; // of the drawing program, such as sodipodi:namedview
     if (std::ranges::find(kSilent, name) != kSilent.end()) return;
-    const SvgGroup group = group_within(content.groups.back(), content.sheet, element);
+    SvgGroup group = group_within(content.groups.back(), content.sheet, element);
     if (count_hidden(content, element, group)) return;
+    if (name == "use") return add_clone(content, element, std::move(group));
     if (add_shape(content, element, group)) {
         content.clipped += group.clipped ? 1 : 0;
         return;
     }
     refuse_shape(content, element, group);
     ++content.ignored[readable_name(name.substr(0, 40))];
+}
+
+/// Elements from `begin` on, and what lies within groups among them.
+void read_within(SvgContent& content, std::size_t begin, std::size_t end)
+{
+    constexpr std::size_t kMostClones = 100'000; // clones of clones of clones
+    for (std::size_t i = begin; i < end; i = content.nodes.all[i].end) {
+        const SvgNode& node = content.nodes.all[i];
+        const SvgElement element{
+            node.name, node.attributes, {&content.drawing.frame, node.line}};
+        if (!content.cloned.empty() && ++content.clones > kMostClones)
+            refuse(content.drawing.frame, node.line,
+                   "clones (use) repeat more than 100000 elements; no drawing needs that");
+        if (!is_group(content, i, node.name)) {
+            add_element(content, element);
+            continue;
+        }
+        begin_group(content, element,
+                    group_within(content.groups.back(), content.sheet, element));
+        read_within(content, i + 1, node.end);
+        content.groups.pop_back();
+    }
+}
+
+/// The whole file: an element svg, and what lies within it.
+void read_nodes(SvgContent& content)
+{
+    if (content.nodes.all.empty()) return;
+    const SvgNode& root = content.nodes.all.front();
+    const SvgElement element{root.name, root.attributes, {&content.drawing.frame, root.line}};
+    if (root.name != "svg")
+        refuse(content.drawing.frame, root.line,
+               "is not SVG: it begins with <" +
+                   readable_name(std::string_view(root.name).substr(0, 40)) + ">");
+    state_page_unit(content.drawing, element);
+    begin_group(content, element, group_within({}, content.sheet, element));
+    read_within(content, 1, root.end);
 }
 
 void note_clipped(SvgContent& content)
@@ -210,27 +267,6 @@ void note_clipped(SvgContent& content)
                                     " whole outlines count.");
 }
 
-void XMLCALL on_begin(void* data, const XML_Char* name, const XML_Char** attributes)
-{
-    SvgContent& content = *static_cast<SvgContent*>(data);
-    if (content.error) return;
-    try {
-        begin_element(content, name, attributes);
-    } catch (...) {
-        content.error = std::current_exception();
-        XML_StopParser(content.parser, XML_FALSE);
-    }
-}
-
-void XMLCALL on_end(void* data, const XML_Char*)
-{
-    SvgContent& content = *static_cast<SvgContent*>(data);
-    if (content.skipped > 0)
-        --content.skipped;
-    else if (!content.groups.empty())
-        content.groups.pop_back();
-}
-
 } // namespace
 
 RawDrawing read_svg(const DrawingFrame& frame, std::string_view bytes, double snap)
@@ -239,17 +275,11 @@ RawDrawing read_svg(const DrawingFrame& frame, std::string_view bytes, double sn
     content.drawing.frame = frame;
     content.snap = snap;
     content.sheet = svg_sheets(frame, bytes);
-    const SvgParser parser = svg_parser();
-    content.parser = parser.get();
-    XML_SetUserData(parser.get(), &content);
-    XML_SetElementHandler(parser.get(), on_begin, on_end);
-    const XML_Status status =
-        XML_Parse(parser.get(), bytes.data(), static_cast<int>(bytes.size()), XML_TRUE);
-    if (content.error) std::rethrow_exception(content.error);
-    if (status != XML_STATUS_OK) {
-        refuse(frame, static_cast<int>(XML_GetCurrentLineNumber(parser.get())),
-               "is not XML (" + std::string(XML_ErrorString(XML_GetErrorCode(parser.get()))) +
-                   "); export the drawing again");
+    content.nodes = svg_nodes(bytes);
+    read_nodes(content);
+    if (!content.nodes.error.empty()) {
+        refuse(frame, content.nodes.error_line,
+               "is not XML (" + content.nodes.error + "); export the drawing again");
     }
     join_paints(content.drawing, content.paints, snap);
     note_ignored(content.drawing, content.ignored);

@@ -4,6 +4,8 @@
 #include "app/drawing/svg_geometry.hpp"
 #include "app/drawing/svg_sheet.hpp"
 
+#include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -28,14 +30,14 @@ struct SvgGroup {
 
 struct SvgElement {
     std::string_view name;
-    const char** attributes = nullptr;
+    std::span<const std::string> attributes; ///< names, each with its value behind it
     SvgPlace place;
 
     /// A null pointer if it has no such attribute.
     [[nodiscard]] const char* find(std::string_view wanted) const
     {
-        for (const char** a = attributes; *a != nullptr; a += 2)
-            if (wanted == *a) return a[1];
+        for (std::size_t a = 0; a + 1 < attributes.size(); a += 2)
+            if (wanted == attributes[a]) return attributes[a + 1].c_str();
         return nullptr;
     }
     [[nodiscard]] double length(std::string_view wanted) const

@@ -88,25 +88,35 @@ PlaneTransform transform_of(const SvgPlace& place, std::string_view name,
 
 struct Pen {
     SvgPoint at, begin;
+    SvgPoint control; ///< the last of a curve that ends at `at`
     std::vector<SvgSubpath> paths;
 
     void move(SvgPoint p)
     {
-        at = begin = p;
+        at = begin = control = p;
         paths.push_back({{p}, false});
     }
     void draw(SvgPoint p)
     {
         if (paths.empty() || paths.back().closed) paths.push_back({{at}, false});
         paths.back().points.push_back(p);
-        at = p;
+        at = control = p;
     }
     void close()
     {
         if (!paths.empty()) paths.back().closed = true;
-        at = begin;
+        at = control = begin;
     }
 };
+
+[[noreturn]] void refuse_curve(const SvgPlace& place, char command, SvgPoint begin)
+{
+    refuse(*place.frame, place.line,
+           "a path has a curve (" + std::string(1, command) + ") that begins at " +
+               svg_coordinates(begin) +
+               " before transforms; convert it to straight pieces (in Inkscape: Extensions, "
+               "Modify Path, Flatten Beziers)");
+}
 
 /// One command with one set of numbers. Upper-case letters take coordinates, lower-case ones
 /// distances.
@@ -132,6 +142,46 @@ void follow(Pen& pen, SvgReader& reader, char command)
             pen.draw(to);
     }
     }
+}
+
+/// Whether a curve that has this control point stays within a thousandth of its chord.
+bool is_near_chord(SvgPoint from, SvgPoint to, SvgPoint control)
+{
+    constexpr double kNear = 1e-3;
+    const double cx = to.x - from.x, cy = to.y - from.y;
+    const double dx = control.x - from.x, dy = control.y - from.y;
+    const double square = cx * cx + cy * cy, along = dx * cx + dy * cy;
+    return std::abs(dx * cy - dy * cx) <= kNear * square && along >= -kNear * square &&
+           along <= (1.0 + kNear) * square && (square > 0.0 || (dx == 0.0 && dy == 0.0));
+}
+
+/// One Bezier curve, which must be a straight side: drawing programs write sides so that were
+/// curves once. A smooth one (S, T) begins in the direction in which the last one ended.
+/// @param last the command before, which tells whether there is one
+void follow_curve(Pen& pen, SvgReader& reader, char command, char last)
+{
+    const bool relative = command >= 'a';
+    const SvgPoint begin = pen.at, from = relative ? begin : SvgPoint{};
+    const auto point = [&] {
+        const double x = reader.number(), y = reader.number();
+        return SvgPoint{from.x + x, from.y + y};
+    };
+    const auto is = [](char c, std::string_view any) {
+        return any.find(c) != std::string_view::npos;
+    };
+    std::vector<SvgPoint> controls;
+    if (is(command, "SsTt")) {
+        const bool goes_on = is(last, is(command, "Ss") ? "CcSs" : "QqTt");
+        const SvgPoint c = goes_on ? pen.control : begin;
+        controls.push_back({2.0 * begin.x - c.x, 2.0 * begin.y - c.y});
+    }
+    const int more = is(command, "Cc") ? 2 : is(command, "Tt") ? 0 : 1;
+    for (int i = 0; i < more; ++i) controls.push_back(point());
+    const SvgPoint to = point();
+    for (const SvgPoint& control : controls)
+        if (!is_near_chord(begin, to, control)) refuse_curve(reader.place, command, begin);
+    pen.draw(to);
+    pen.control = controls.back();
 }
 
 } // namespace
@@ -180,19 +230,14 @@ std::vector<SvgSubpath> svg_path(const SvgPlace& place, std::string_view text)
 {
     Pen pen;
     SvgReader reader{place, text};
-    char command = '\0';
+    char command = '\0', last = '\0';
     while (reader.skip_separator(), !reader.rest.empty()) {
         if (!reader.at_number()) {
             command = reader.rest.front();
             reader.rest.remove_prefix(1);
-            if (std::string_view("CcSsQqTtAa").find(command) != std::string_view::npos) {
-                refuse(*place.frame, place.line,
-                       "a path has a curve (" + std::string(1, command) + ") that begins at " +
-                           svg_coordinates(pen.at) +
-                           " before transforms; convert it to straight pieces (in Inkscape: "
-                           "Extensions, Modify Path, Flatten Beziers)");
-            }
-            if (std::string_view("MmLlHhVvZz").find(command) == std::string_view::npos) {
+            if (command == 'A' || command == 'a') refuse_curve(place, command, pen.at);
+            if (std::string_view("MmLlHhVvZzCcSsQqTt").find(command) ==
+                std::string_view::npos) {
                 refuse(*place.frame, place.line,
                        "a path has the command \"" + readable_name(std::string(1, command)) +
                            "\", which is unknown; export the drawing again");
@@ -203,9 +248,14 @@ std::vector<SvgSubpath> svg_path(const SvgPlace& place, std::string_view text)
         }
         if (command == 'Z' || command == 'z') {
             pen.close();
+            last = command;
             continue;
         }
-        follow(pen, reader, command);
+        if (std::string_view("CcSsQqTt").find(command) != std::string_view::npos)
+            follow_curve(pen, reader, command, last);
+        else
+            follow(pen, reader, command);
+        last = command;
         if (command == 'M') command = 'L'; // further points of a move are drawn
         if (command == 'm') command = 'l';
     }

@@ -33,7 +33,9 @@ struct SvgSubpath {
     bool closed = false; ///< by Z
 };
 
-/// "M 0 0 h 1 v 1 z m ...". @throws ConfigError for curves, with the point where they begin
+/// "M 0 0 h 1 v 1 z m ...". Bezier curves whose control points are within a thousandth of the
+/// chord are straight sides.
+/// @throws ConfigError for other curves, with the point where they begin
 [[nodiscard]] std::vector<SvgSubpath> svg_path(const SvgPlace& place, std::string_view text);
 
 /// A length without unit, or in px. @throws ConfigError

@@ -2,17 +2,72 @@
 
 #include "app/drawing/outlines/drawing_file.hpp"
 
+#include <expat.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <exception>
+#include <memory>
 #include <new>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace app {
 namespace {
+
+using SvgParser = std::unique_ptr<std::remove_pointer_t<XML_Parser>, decltype(&XML_ParserFree)>;
+
+SvgParser svg_parser()
+{
+    SvgParser parser(XML_ParserCreate(nullptr), XML_ParserFree);
+    if (!parser) throw std::bad_alloc();
+    return parser;
+}
+
+struct NodeReading {
+    XML_Parser parser = nullptr;
+    SvgNodes nodes;
+    std::vector<std::size_t> open;
+    std::exception_ptr error; ///< kept while the parser, which is C, returns
+};
+
+void add_node(NodeReading& reading, std::string_view name, const XML_Char** attributes)
+{
+    if (name.starts_with("svg:")) name.remove_prefix(4);
+    SvgNode node{std::string(name), {}, 0, 0};
+    node.line = static_cast<int>(XML_GetCurrentLineNumber(reading.parser));
+    const std::size_t place = reading.nodes.all.size();
+    for (const XML_Char** a = attributes; *a != nullptr; ++a) node.attributes.emplace_back(*a);
+    for (std::size_t a = 0; a + 1 < node.attributes.size(); a += 2)
+        if (node.attributes[a] == "id")
+            reading.nodes.by_id.emplace(node.attributes[a + 1], place);
+    reading.nodes.all.push_back(std::move(node));
+    reading.open.push_back(place);
+}
+
+void XMLCALL on_node_begin(void* data, const XML_Char* name, const XML_Char** attributes)
+{
+    NodeReading& reading = *static_cast<NodeReading*>(data);
+    if (reading.error) return;
+    try {
+        add_node(reading, name, attributes);
+    } catch (...) {
+        reading.error = std::current_exception();
+        XML_StopParser(reading.parser, XML_FALSE);
+    }
+}
+
+void XMLCALL on_node_end(void* data, const XML_Char*)
+{
+    NodeReading& reading = *static_cast<NodeReading*>(data);
+    if (reading.error || reading.open.empty()) return;
+    reading.nodes.all[reading.open.back()].end = reading.nodes.all.size();
+    reading.open.pop_back();
+}
 
 struct SheetReading {
     XML_Parser parser = nullptr;
@@ -75,11 +130,23 @@ bool is_in_pixels(const char* width)
 
 } // namespace
 
-SvgParser svg_parser()
+SvgNodes svg_nodes(std::string_view bytes)
 {
-    SvgParser parser(XML_ParserCreate(nullptr), XML_ParserFree);
-    if (!parser) throw std::bad_alloc();
-    return parser;
+    NodeReading reading;
+    const SvgParser parser = svg_parser();
+    reading.parser = parser.get();
+    XML_SetUserData(parser.get(), &reading);
+    XML_SetElementHandler(parser.get(), on_node_begin, on_node_end);
+    const XML_Status status =
+        XML_Parse(parser.get(), bytes.data(), static_cast<int>(bytes.size()), XML_TRUE);
+    if (reading.error) std::rethrow_exception(reading.error);
+    for (const std::size_t open : reading.open)
+        reading.nodes.all[open].end = reading.nodes.all.size();
+    if (status != XML_STATUS_OK) {
+        reading.nodes.error_line = static_cast<int>(XML_GetCurrentLineNumber(parser.get()));
+        reading.nodes.error = XML_ErrorString(XML_GetErrorCode(parser.get()));
+    }
+    return std::move(reading.nodes);
 }
 
 SvgStyleSheet svg_sheets(const DrawingFrame& frame, std::string_view bytes)

@@ -1,22 +1,36 @@
 #pragma once
-/// Readings of a whole SVG file before its shapes are read: the parser, the style sheets, and
+/// Readings of a whole SVG file before its shapes are read: the elements, the style sheets, and
 /// the unit of length.
 
 #include "app/drawing/svg_element.hpp"
 #include "app/drawing/svg_sheet.hpp"
 
-#include <expat.h>
-
-#include <memory>
+#include <cstddef>
+#include <map>
+#include <string>
 #include <string_view>
-#include <type_traits>
+#include <vector>
 
 namespace app {
 
-using SvgParser = std::unique_ptr<std::remove_pointer_t<XML_Parser>, decltype(&XML_ParserFree)>;
+/// An element of the file.
+struct SvgNode {
+    std::string name; ///< without "svg:"
+    std::vector<std::string> attributes;
+    int line = 0;
+    std::size_t end = 0; ///< one behind the last element within it
+};
 
-/// @throws std::bad_alloc
-[[nodiscard]] SvgParser svg_parser();
+/// The elements of a file, each before those within it.
+struct SvgNodes {
+    std::vector<SvgNode> all;
+    std::map<std::string, std::size_t> by_id; ///< the first of each
+    int error_line = 0;                       ///< where it ceases to be XML; 0: nowhere
+    std::string error;
+};
+
+/// What stands before an error counts, too.
+[[nodiscard]] SvgNodes svg_nodes(std::string_view bytes);
 
 /// All style sheets of the file, also those that stand behind the shapes.
 /// @throws ConfigError if a rule that may hide or move shapes cannot be read

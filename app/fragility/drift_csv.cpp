@@ -61,8 +61,6 @@ struct Indices {
     std::optional<std::size_t> group;
 };
 
-constexpr double kLeastDrift = 1e-9, kMostDrift = 1e9; ///< in any unit, or a displacement
-
 /// "2.27", "> 2.27" or ">= 2.27" (a bound), or nothing.
 std::optional<fragility::Observation> drift_at(const Csv& csv, const CsvRow& row,
                                                std::size_t column, bool bound)
@@ -85,10 +83,10 @@ std::optional<fragility::Observation> drift_at(const Csv& csv, const CsvRow& row
             csv, row, column,
             "is a bound of 0, which says nothing of a wall; write the drift at which it "
             "still stood, or NA if it is not known");
-    if (d < kLeastDrift || d > kMostDrift)
+    if (d < kLeastValue || d > kMostValue)
         refuse_cell(csv, row, column,
                     in_quotes(trimmed(text)) + " is no drift; it must be in [" +
-                        number(kLeastDrift, 3) + ", " + number(kMostDrift, 3) + "]");
+                        number(kLeastValue, 3) + ", " + number(kMostValue, 3) + "]");
     return bound ? fragility::right_censored(d) : fragility::observed(d);
 }
 

@@ -21,6 +21,10 @@ namespace app {
 /// Whether a cell says that its value is not known: empty, NA, N/A or -.
 [[nodiscard]] bool is_missing(std::string_view text);
 
+/// Values that no test of a wall has, in any of its units, lie outside of these: they would end
+/// in numbers that are not finite.
+inline constexpr double kLeastValue = 1e-9, kMostValue = 1e9;
+
 /// Columns of a table, by name: "drift" or, with its unit, "drift [%]".
 struct DriftColumns {
     std::vector<std::string> drift; ///< one or more limit states

@@ -3,7 +3,7 @@
 # It was not run: Homebrew cannot be reached from where it was written.
 class Drystone < Formula
   desc "Stochastic discontinuum analysis of dry-joint stone masonry walls"
-  url "@URL@/drystone-0.4.0.tar.gz"
+  url "@URL@/drystone-0.5.0.tar.gz"
   sha256 "@SHA256@"
   license "GPL-3.0-or-later"
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -67,6 +68,24 @@ std::string layers_text(const Drawing& drawing)
     for (const std::string& name : names)
         if (++n <= kMost) text += (text.empty() ? "; it has: " : ", ") + name;
     return names.size() > kMost ? text + ", ..." : text;
+}
+
+std::string layers_note(const Drawing& drawing, const std::vector<std::string>& others)
+{
+    constexpr std::size_t kMost = 6;
+    std::map<std::string, std::size_t> stones;
+    for (const DrawnBlock& b : drawing.blocks)
+        if (std::ranges::find(others, b.layer) == others.end()) ++stones[b.layer];
+    if (stones.size() < 2) return "";
+    std::string text;
+    std::size_t n = 0;
+    for (const auto& [layer, count] : stones)
+        if (++n <= kMost)
+            text += (text.empty() ? "" : ", ") + counted(count, "stone", "stones") +
+                    (layer.empty() ? " without a layer" : " on " + in_quotes(layer));
+    if (n > kMost) text += " and more on " + counted(n - kMost, "layer", "layers");
+    return "All layers that are shown count as stones: " + text +
+           ". Turn a layer off if what it holds is none (mortar, ground).";
 }
 
 } // namespace app

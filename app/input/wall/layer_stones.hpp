@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace app {
 
@@ -20,5 +21,11 @@ void parse_layer_stones(Study& study);
 
 /// "; it has: lintel, sill": the layers of a drawing, for messages.
 [[nodiscard]] std::string layers_text(const Drawing& drawing);
+
+/// A note on how many stones each layer has, where there are several layers of the wall's own
+/// stone: a layer of mortar or ground that is shown is one of stones. Else empty.
+/// @param others layers of another stone
+[[nodiscard]] std::string layers_note(const Drawing& drawing,
+                                      const std::vector<std::string>& others);
 
 } // namespace app

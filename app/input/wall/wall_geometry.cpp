@@ -99,6 +99,8 @@ void read_file(Study& study)
         read_drawing(path, {g.length_unit, unit_given, g.snap, g.close_outlines,
                             g.picture_width, g.picture_height, g.simplify});
     g.notes = drawing.notes;
+    if (std::string note = layers_note(drawing, g.layers); !note.empty())
+        g.notes.push_back(std::move(note));
     for (const DrawnBlock& b : drawing.blocks)
         g.units.push_back(
             {b.outline, material_of(g.layers, b.layer), layer_number(g.drawn_layers, b.layer)});

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -15,6 +16,11 @@ std::string svg_text(const std::string& shapes)
 {
     return "<?xml version=\"1.0\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\">\n" + shapes +
            "\n</svg>\n";
+}
+
+double left_of(const app::DrawnBlock& block)
+{
+    return std::ranges::min(block.outline, {}, &dem::Point::x).x;
 }
 
 } // namespace
@@ -74,7 +80,6 @@ TEST_CASE("svg drawing: what has no straight outline is refused with line and co
               .starts_with("w.svg:3: a path has a curve (C) that begins at (3, 4)"));
     CHECK(why("\n<circle cx=\"3\" cy=\"4\" r=\"1\"/>")
               .starts_with("w.svg:4: at (3, 4) there is a circle"));
-    CHECK(why("<use x=\"1\" y=\"2\"/>").starts_with("w.svg:3: at (1, 2) there is a clone"));
     CHECK(why("<rect width=\"3\" height=\"4\" rx=\"1\"/>")
               .starts_with("w.svg:3: the rectangle at (0, 0) has rounded corners"));
     CHECK(why("<rect width=\"3mm\" height=\"4\"/>").starts_with("w.svg:3: width is \"3mm\""));
@@ -93,6 +98,73 @@ TEST_CASE("svg drawing: what has no straight outline is refused with line and co
     std::string deep;
     for (int i = 0; i < 100'000; ++i) deep += "<g>";
     CHECK(why(deep).find("more than 256 deep") != std::string::npos);
+}
+
+TEST_CASE("svg drawing: clones are read at their places, also of groups, symbols and clones",
+          "[app][svg_drawing]")
+{
+    const app::Drawing wall = drawing_of("w.svg", svg_text(R"x(
+        <use href="#later" y="1"/>
+        <defs><g id="course"><rect width="1" height="1"/><rect x="1" width="1" height="1"/></g>
+        <symbol id="mark"><rect width="2" height="1" transform="translate(0, 2)"/></symbol></defs>
+        <g id="upper"><use href="#course"/></g>
+        <use xmlns:xlink="l" xlink:href=" #again " transform="translate(2) scale(1, 2)"/>
+        <g display="none"><use id="again" href="#course"/></g>
+        <use href="#mark"/>
+        <g transform="translate(-2, 0)"><rect id="later" x="2" y="1" width="2" height="1"/></g>)x"));
+    REQUIRE(wall.blocks.size() == 7);
+    CHECK(area(wall.blocks[0]) == Approx(2.0).epsilon(1e-12));
+    CHECK(left_of(wall.blocks[0]) == 2.0);   // without the group around its original
+    CHECK(wall.blocks[1].layer == "course"); // the innermost group
+    CHECK(area(wall.blocks[3]) == Approx(2.0).epsilon(1e-12));
+    CHECK(left_of(wall.blocks[5]) == 0.0);
+    CHECK(area(wall) == Approx(2.0 + 2.0 + 4.0 + 2.0 + 2.0).epsilon(1e-12));
+    CHECK(scenes::notes(wall, "hidden"));
+}
+
+TEST_CASE("svg drawing: clones of what is not there, of themselves or without end are refused",
+          "[app][svg_drawing]")
+{
+    const auto why = [](const std::string& shapes) {
+        return refusal("w.svg", svg_text(shapes));
+    };
+    CHECK(why("<use x=\"1\"/>")
+              .starts_with("w.svg:3: a clone (use) does not name an element of this file"));
+    CHECK_THAT(why("<use href=\"stones.svg#a\"/>"), Catch::Contains("of this file; unlink it"));
+    CHECK_THAT(why("<use href=\"#a\"/>"),
+               Catch::Contains("repeats \"#a\", which is not there"));
+    CHECK_THAT(why("<g id=\"a\">\n<use href=\"#a\"/></g>"),
+               Catch::Contains("w.svg:4: a clone (use) repeats itself"));
+    CHECK_THAT(why("<symbol id=\"a\" viewBox=\"0 0 1 1\"/><use href=\"#a\"/>"),
+               Catch::Contains("a symbol that has a viewBox"));
+    std::string laughs = "<defs><g id=\"g0\"><text/></g>";
+    for (int i = 1; i < 20; ++i) {
+        const std::string clone = "<use href=\"#g" + std::to_string(i - 1) + "\"/>";
+        laughs += "<g id=\"g" + std::to_string(i) + "\">" + clone + clone + clone + "</g>";
+    }
+    CHECK_THAT(why(laughs + "</defs><use href=\"#g19\"/>"),
+               Catch::Contains("repeat more than 100000 elements"));
+}
+
+TEST_CASE("svg drawing: a curve whose control points are on its chord is a straight side",
+          "[app][svg_drawing]")
+{
+    const app::Drawing wall =
+        drawing_of("w.svg", svg_text(R"x(<path d="M0 0C0.3 0 0.7 0 1 0S2 0 3 0 q 0 0.5 0 1 t 0 1
+            c -1 0.0005 -1 0 -3 0 T 0 0 Z"/>)x"));
+    REQUIRE(wall.blocks.size() == 1);
+    CHECK(area(wall) == Approx(6.0).epsilon(1e-12));
+    const auto refused = [](const std::string& d) {
+        CHECK_THAT(refusal("w.svg", svg_text("<path d=\"M0 0 h4 v2 " + d + " z\"/>")),
+                   Catch::Contains("a path has a curve"));
+    };
+    refused("C 3 2.01 1 2 0 2"); // beside the chord
+    refused("C 5 2 1 2 0 2");    // before its begin
+    refused("Q -1 2 0 2");       // behind its end
+    refused("c 0 0 -0.5 0 -1 0 s -0.5 1 -3 0");
+    refused("c 0 0 -0.5 0 -1 0 s -2 0 -2 1"); // S begins along the last one
+    refused("q -1 0 -2 0 t -2 1");
+    refused("A 1 1 0 0 0 0 2");
 }
 
 TEST_CASE("svg drawing: what is not shown is not built, whichever way it is hidden",

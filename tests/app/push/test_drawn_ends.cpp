@@ -1,6 +1,7 @@
 #include "app/input/prepared_study.hpp"
 #include "app/input/study_reading.hpp"
 #include "app/input/wall/drawn_ends.hpp"
+#include "app/input/wall/layer_stones.hpp"
 #include "app/input/wall/wall_geometry.hpp"
 #include "app/scene/scene_units.hpp"
 #include "dem/scene/bond_indices.hpp"
@@ -160,6 +161,27 @@ TEST_CASE("layer stones: names, values and layers that cannot be meant are refus
                Catch::Contains("has no layer \"lintel\"; it has: sill, wall"));
     CHECK_THAT(refusal_of("picture_width = 1 m\npicture_height = 1 m\n" + sill + "\n", "w.png"),
                Catch::Contains("a picture has none: draw the wall"));
+}
+
+TEST_CASE("layers: a drawing with several says how many stones each has", "[app][drawn_ends]")
+{
+    app::Drawing drawing;
+    for (const char* const layer : {"brick", "mortar", "brick", "sill", ""})
+        drawing.blocks.emplace_back().layer = layer;
+    const std::vector<std::string> sill = {"sill"};
+    CHECK_THAT(
+        app::layers_note(drawing, sill),
+        Catch::Contains("stones: 1 stone without a layer, 2 stones on \"brick\", 1 stone "
+                        "on \"mortar\". Turn a layer off"));
+    drawing.blocks.resize(1);
+    CHECK(app::layers_note(drawing, {}).empty());
+    drawing.blocks.emplace_back().layer = "sill";
+    CHECK(app::layers_note(drawing, sill).empty());
+    for (const char* const layer : {"a", "b", "c", "d", "e", "f"})
+        drawing.blocks.emplace_back().layer = layer;
+    CHECK_THAT(app::layers_note(drawing, sill),
+               Catch::Contains("on \"e\" and more on 1 layer. Turn") &&
+                   !Catch::Contains("\"f\""));
 }
 
 TEST_CASE("outlines of a study are refused without advice about a key that plays no part",
