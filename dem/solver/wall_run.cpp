@@ -426,7 +426,7 @@ void WallRun::start_slowly()
 
 /// Reads the error of a push that is over. A slower push than another knows how much that has
 /// changed.
-/// @return whether it misses the accuracy, and pushes that are left could reach it
+/// @return whether it misses the accuracy, and pushes are left
 bool WallRun::wants_slowdown()
 {
     const double asked = task_->options.accuracy;
@@ -437,8 +437,7 @@ bool WallRun::wants_slowdown()
     result_.solver_error = peak_ > 0.0 ? std::max(error, kLeastError * asked) : 0.0;
     const bool read = result_.outcome == Outcome::reached_target ||
                       result_.outcome == Outcome::lost_equilibrium;
-    return read && options_.unbalance_limit > 0.0 && left > 0 && result_.solver_error > asked &&
-           (!pushed_before_ || result_.solver_error <= std::pow(kSlowdown, left) * asked);
+    return read && options_.unbalance_limit > 0.0 && left > 0 && result_.solver_error > asked;
 }
 
 void WallRun::start_again()
