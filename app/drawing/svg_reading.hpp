@@ -29,7 +29,7 @@ struct SvgNodes {
     std::string error;
 };
 
-/// What stands before an error counts, too.
+/// Elements that stand before an error are among them.
 [[nodiscard]] SvgNodes svg_nodes(std::string_view bytes);
 
 /// All style sheets of the file, also those that stand behind the shapes.
