@@ -199,7 +199,7 @@ bool is_group(const SvgContent& content, std::size_t place, std::string_view nam
     return name == "g" || name == "a" || name == "switch" || (name == "symbol" && original);
 }
 
-/// An element that is none of a group's.
+/// Reads an element that is no group.
 void add_element(SvgContent& content, const SvgElement& element)
 {
     constexpr std::array<std::string_view, 14> kSilent = {

@@ -227,7 +227,9 @@ bench::Report report_of(const std::vector<ComparedScene>& scenes, const Request&
     if (request.before.empty()) return r;
     const std::vector<ComparedScene> before = bench::as_before(scenes);
     r.sections.push_back({"before",
-                          "Before: the same scenes and references, an earlier program", "",
+                          "Before: the same scenes and references, solver revision " +
+                              bench::AnswerFile(request.before, true).revision(),
+                          "",
                           bench::error_table(before)});
     r.sections.push_back(
         {"before_worst", "Before: largest errors", "", bench::worst_table(before)});

@@ -54,8 +54,10 @@ AnswerFile::AnswerFile(std::filesystem::path file, bool any) : file_(std::move(f
     const std::string text = app::read_bytes(file_.string(), kMostBytes, "is too large", "");
     if (!text.starts_with(kHead))
         throw std::runtime_error(file_.string() + " is no file of answers");
-    for (const app::CsvRow& row : app::parse_csv(file_.string(), text).rows)
+    for (const app::CsvRow& row : app::parse_csv(file_.string(), text).rows) {
         answers_[key_of(row.cells[0], row.cells[2], row.cells[3], any_)] = answer_of(row.cells);
+        revision_ = row.cells[2];
+    }
 }
 
 std::optional<Answer> AnswerFile::find(const std::string& text, const std::string& settings,

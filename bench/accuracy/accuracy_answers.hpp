@@ -17,9 +17,8 @@ namespace bench {
 class AnswerFile {
   public:
     /// @param file empty: nothing is kept
-    /// @param any whether answers of other settings and other revisions of the solver serve
-    /// too; the last in the file
-    /// then
+    /// @param any whether answers of other settings and other revisions of the solver serve,
+    /// too; of several, the last in the file
     /// @throws app::ConfigError if the file is no such table
     AnswerFile(std::filesystem::path file, bool any);
 
@@ -27,6 +26,8 @@ class AnswerFile {
     /// with these settings. One that was too dear is only as good as the time it had.
     [[nodiscard]] std::optional<Answer>
     find(const std::string& text, const std::string& settings, double most_seconds) const;
+    /// Revision of the solver that gave the last answer read from the file; empty: none was read.
+    [[nodiscard]] const std::string& revision() const { return revision_; }
     /// @throws std::runtime_error if the file cannot be written
     void add(std::uint64_t number, const std::string& text, const std::string& settings,
              const Answer& answer);
@@ -34,6 +35,7 @@ class AnswerFile {
   private:
     std::filesystem::path file_;
     bool any_ = false;
+    std::string revision_;
     mutable std::mutex mutex_;
     std::map<std::string, Answer> answers_;
 };
