@@ -49,6 +49,8 @@ class Drive {
     /// Whether the last step of a push that turns back arrived at zero displacement, which it
     /// never steps across.
     [[nodiscard]] bool passed_zero() const { return passed_zero_; }
+    /// Whether the targets lie on both sides of one that comes before them.
+    [[nodiscard]] bool turns_back() const { return turns_.size() > 1; }
     /// Whether a push that turns back is at its end, which is a point like its turns.
     [[nodiscard]] bool came_to_its_end() const { return turns_back() && finished(); }
     /// Remaining distance to the next turn, the end, or zero displacement [m].
@@ -57,7 +59,6 @@ class Drive {
 
   private:
     static constexpr int kLookEvery = 50;
-    [[nodiscard]] bool turns_back() const { return turns_.size() > 1; }
     [[nodiscard]] bool towards_zero() const;
     void land_on_zero();
     [[nodiscard]] long long ramp_steps() const

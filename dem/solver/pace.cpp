@@ -64,6 +64,15 @@ double Pace::begin(const PushStart& start)
     return cruise_;
 }
 
+void Pace::change(const SolverOptions& options)
+{
+    const double times = options.accuracy / options_.accuracy;
+    options_ = options;
+    fastest_ = 1e-3 / options.steps_per_mm;
+    cruise_ = std::min(fastest_, cruise_ * times);
+    rise_ *= std::sqrt(times);
+}
+
 double Pace::slowest_cruise() const
 {
     const double by_way = std::max(kFirstWay, way_) * options_.accuracy / kMostSteps;

@@ -39,6 +39,9 @@ class Pace {
     /// @return speed at which the wall is set moving [m/step]
     double begin(const PushStart& start);
 
+    /// Holds another accuracy and another fastest speed from now on.
+    void change(const SolverOptions& options);
+
     /// Speed of the next step [m/step], > 0.
     /// @param speed now [m/step]
     [[nodiscard]] double next(double speed) const;

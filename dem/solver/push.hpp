@@ -87,7 +87,7 @@ struct PushResult {
     /// under its vertical load: 0 or 1.
     int slow_starts = 0;
     /// How often the wall was pushed again, twice as slowly, because its error was larger than
-    /// the accuracy: 0 to 3.
+    /// the accuracy: 0 to 3. One way, a push was given up once its peak was past.
     int slowdowns = 0;
     /// Estimated error of the peak force by the speed of the drive [-], >= 0.
     double solver_error = 0.0;

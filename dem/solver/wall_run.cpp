@@ -46,10 +46,14 @@ constexpr double kStillGives = 0.05;
 constexpr double kNeverMore = 2.0; // a free choice
 // A wall that misses the accuracy is pushed again so many times slower.
 constexpr double kSlowdown = 2.0;
-constexpr double kNearPeak = 1.02; // a free choice: few states are kept on the way up
-// Error of the slower of two pushes, as a multiple of the change of its peak.
-constexpr double kChange =
-    2.0; // a free choice: 1, if errors fall with the accuracy asked; 2.4, with its root
+// The peak is past where the force has come down to this share of it, or where it has grown by
+// less than this factor while the way has doubled.
+constexpr double kPast = 0.8, kFlat = 1.02; // free choices: they move the cost alone
+constexpr double kNearPeak = 1.02;          // a free choice: few states are kept on the way up
+// Error of the slower of two pushes, as a multiple of the change of its peak: 1, if errors fall
+// with the accuracy asked; 2.4, with its root. Both may be wrong by the same: a small change is
+// believed down to kBelieved of the estimate of the push itself.
+constexpr double kChange = 10.0 / 3.0, kBelieved = 0.5; // free choices (solver_error.cpp)
 // Error that no push claims to be below, as a share of the accuracy: a push does not feel at
 // its peak what it did before.
 constexpr double kLeastError = 0.5;
@@ -269,6 +273,9 @@ template <class Real> void WallRun::take_point(const WallState<Real>& state, int
         next_snapshot_ += task_->plan.snapshot_every;
     }
     decided_ = task_->plan.decided && task_->plan.decided(result_.curve);
+    if (before_ && way_ <= before_->way * (1.0 + kWayRounding)) peak_then_ = peak_;
+    peak_known_ = passed_peak();
+    keep_pace();
 }
 
 /// A step counts the work of the load that it began with. If the load has grown by the end of
@@ -367,6 +374,11 @@ template <class Real> bool WallRun::look(WallState<Real>& state, int lane)
     drive_.settling() ? settle(state, lane) : go_on(state, lane);
     const bool over = drive_.finished() || decided_ || came_down_;
     ++result_.cost.steps;
+    if (!over && std::exchange(peak_known_, false) && wants_slowdown()) {
+        slow_down();
+        load(state, lane);
+        return true;
+    }
     const long long every = may_fall() && drive_.waits() ? kWatchEvery : kLookEvery;
     if (++steps_ % every != 0 && !over) return true;
     result_.outcome = judge(state, lane);
@@ -388,11 +400,7 @@ template <class Real> bool WallRun::look(WallState<Real>& state, int lane)
         return true;
     }
     if ((over || result_.outcome == Outcome::lost_equilibrium) && wants_slowdown()) {
-        options_ = slower(options_, kSlowdown);
-        pushed_before_ = peak_;
-        error_before_ = result_.solver_error;
-        ++result_.slowdowns;
-        start_again();
+        slow_down();
         load(state, lane);
         return true;
     }
@@ -424,20 +432,56 @@ void WallRun::start_slowly()
     start_again();
 }
 
-/// Reads the error of a push that is over. A slower push than another knows how much that has
-/// changed.
+/// Whether the push has just gone so far that its error at the peak is known. The peak of a push
+/// to and fro is known at its end.
+bool WallRun::passed_peak()
+{
+    if (drive_.turns_back()) return false;
+    const bool doubled = way_ >= 2.0 * looked_.way,
+               flat = doubled && peak_ <= kFlat * looked_.peak;
+    if (doubled) looked_ = {way_, peak_};
+    const bool past = flat || std::abs(result_.curve.back().force) <= kPast * peak_;
+    if (!past || peak_ == estimated_) return false;
+    estimated_ = peak_;
+    return true;
+}
+
+/// A slower push is as fast as the first one where its peak is past.
+void WallRun::keep_pace()
+{
+    const bool past =
+        !drive_.turns_back() && std::abs(result_.curve.back().force) <= kPast * peak_;
+    if (result_.slowdowns == 0 || past == eased_) return;
+    eased_ = past;
+    const double slowed = std::pow(kSlowdown, result_.slowdowns);
+    drive_.pace().change(past ? slower(options_, 1.0 / slowed) : options_);
+}
+
+/// Reads the error of a push whose peak is known. A slower push than another knows how much
+/// that has changed over the way of the other.
 /// @return whether it misses the accuracy, and pushes are left
 bool WallRun::wants_slowdown()
 {
     const double asked = task_->options.accuracy;
     const int left = task_->options.most_slowdowns - result_.slowdowns;
     double error = force_error(result_.curve, options_.damping);
-    if (pushed_before_ && peak_ > 0.0)
-        error = std::min(error, kChange * std::abs(peak_ - *pushed_before_) / peak_);
+    if (before_ && peak_then_ > 0.0) {
+        const double change = std::abs(peak_then_ - before_->peak) / peak_then_;
+        error = std::min(error, std::max(kChange * change, kBelieved * error));
+    }
     result_.solver_error = peak_ > 0.0 ? std::max(error, kLeastError * asked) : 0.0;
     const bool read = result_.outcome == Outcome::reached_target ||
                       result_.outcome == Outcome::lost_equilibrium;
     return read && options_.unbalance_limit > 0.0 && left > 0 && result_.solver_error > asked;
+}
+
+void WallRun::slow_down()
+{
+    options_ = slower(options_, kSlowdown);
+    before_ = {way_, peak_};
+    error_before_ = result_.solver_error;
+    ++result_.slowdowns;
+    start_again();
 }
 
 void WallRun::start_again()
@@ -455,7 +499,10 @@ void WallRun::start_again()
     if (task_->plan.sink.take) task_->plan.sink.forget(number_);
     drive_ = Drive(task_->plan.targets, options_);
     recorder_ = Recorder(task_->plan.record_every, options_.accuracy);
-    peak_ = farthest_ = way_ = next_snapshot_ = drive_work_ = work_before_push_ = 0.0;
+    peak_ = peak_then_ = estimated_ = 0.0;
+    looked_ = {};
+    peak_known_ = eased_ = false;
+    farthest_ = way_ = next_snapshot_ = drive_work_ = work_before_push_ = 0.0;
     work_half_way_ = least_given_ = 0.0;
     trail_.clear();
     means_ = {};

@@ -71,7 +71,10 @@ class WallRun {
     void reduce_step();
     void start_slowly();
     void start_again();
+    [[nodiscard]] bool passed_peak();
     [[nodiscard]] bool wants_slowdown();
+    void slow_down();
+    void keep_pace();
 
     const Task* task_;
     std::size_t number_;
@@ -84,13 +87,22 @@ class WallRun {
     SteadyMotion motion_; ///< in the push, since the last window
     MeanStresses means_;  ///< where they are asked for
     PushResult result_;
-    double load_factor_ = 0.0;            ///< of the step [-]
-    double force_before_ = 0.0;           ///< of the drive, before the step [N]
-    double step_drive_ = 0.0;             ///< of the step [m]
-    std::optional<double> pushed_before_; ///< peak of the push before, twice as fast [N]
-    double error_before_ = 0.0;           ///< of its peak [-]
-    double peak_ = 0.0;                   ///< largest force so far, either way [N]
-    double farthest_ = 0.0;               ///< distance of the farthest turn so far [m]
+    double load_factor_ = 0.0;  ///< of the step [-]
+    double force_before_ = 0.0; ///< of the drive, before the step [N]
+    double step_drive_ = 0.0;   ///< of the step [m]
+    /// Way of a push until it was given up, and its largest force there.
+    struct Reach {
+        double way = 0.0, peak = 0.0; ///< [m], [N]
+    };
+    std::optional<Reach> before_;   ///< of the push before, twice as fast
+    double peak_then_ = 0.0;        ///< largest force over that way [N]
+    Reach looked_;                  ///< at the last way that was twice the one before
+    double estimated_ = 0.0;        ///< the peak whose error was read before the end [N]
+    bool peak_known_ = false;       ///< since the last point
+    bool eased_ = false;            ///< whether a slower push goes on as fast as the first
+    double error_before_ = 0.0;     ///< of the peak of the push before [-]
+    double peak_ = 0.0;             ///< largest force so far, either way [N]
+    double farthest_ = 0.0;         ///< distance of the farthest turn so far [m]
     double way_ = 0.0;              ///< displacement travelled since the start of the push [m]
     double drive_work_ = 0.0;       ///< since the start of the push [J]
     double work_before_push_ = 0.0; ///< of the vertical load and self-weight, until then [J]

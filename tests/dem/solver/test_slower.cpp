@@ -57,21 +57,22 @@ std::vector<dem::CurvePoint> dragged()
 
 } // namespace
 
-TEST_CASE("solver error: what damping takes at the peak counts twice, of local damping by half",
-          "[dem][solver_error]")
+TEST_CASE(
+    "solver error: what damping takes at the peak counts 10/3, of local damping a quarter",
+    "[dem][solver_error]")
 {
     const std::vector<dem::CurvePoint> curve = dragged();
-    CHECK(dem::force_error(curve, dem::Damping::combined) == Approx(2.0 * 0.02));
-    CHECK(dem::force_error(curve, dem::Damping::local) == Approx(0.5 * 0.02));
+    CHECK(dem::force_error(curve, dem::Damping::combined) == Approx(10.0 / 3.0 * 0.02));
+    CHECK(dem::force_error(curve, dem::Damping::local) == Approx(0.25 * 0.02));
     CHECK(dem::force_error({}, dem::Damping::combined) == 0.0);
 }
 
-TEST_CASE("solver error: a gap between top and base counts by half, before it is doubled",
+TEST_CASE("solver error: a gap between top and base counts by half, before the factor",
           "[dem][solver_error]")
 {
     std::vector<dem::CurvePoint> curve = dragged();
     curve[10].base_shear = 97.0; // the point is the mean of both
-    CHECK(dem::force_error(curve, dem::Damping::combined) == Approx(2.0 * 0.05));
+    CHECK(dem::force_error(curve, dem::Damping::combined) == Approx(10.0 / 3.0 * 0.05));
 }
 
 TEST_CASE(
@@ -82,5 +83,5 @@ TEST_CASE(
     for (std::size_t i = 10; i < curve.size(); ++i) curve[i].energy.kinetic = 8e-3; // 8 N
     CHECK(dem::force_error(curve, dem::Damping::combined) == Approx(0.10));
     for (std::size_t i = 10; i < curve.size(); ++i) curve[i].energy.fracture = 1e-6;
-    CHECK(dem::force_error(curve, dem::Damping::combined) == Approx(0.04));
+    CHECK(dem::force_error(curve, dem::Damping::combined) == Approx(10.0 / 3.0 * 0.02));
 }

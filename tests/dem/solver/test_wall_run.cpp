@@ -195,6 +195,41 @@ TEST_CASE("wall run: a wall that misses the accuracy is pushed again more slowly
     CHECK(at_once);
 }
 
+TEST_CASE(
+    "wall run: a push that misses the accuracy is given up once its peak is past, and the "
+    "slower one goes on at the first speed once it is past its own",
+    "[dem][wall_run]")
+{
+    const scenes::Scene s = low_wall(0.15);
+    const dem::Model m = scenes::model_of(s, coarse());
+    const dem::WallMaterials w = scenes::table5_sample(s, m, 0);
+    dem::SolverOptions o, once;
+    o.kinematics = once.kinematics = dem::Kinematics::finite;
+    o.accuracy = once.accuracy = 0.03;
+    once.most_slowdowns = 0;
+    struct Told {
+        double given_up = 0.0; ///< share of the way
+        int looks = 0;         ///< in the last push, far behind its peak: one in 500 steps
+        dem::PushResult result;
+    };
+    const auto push = [&](const dem::SolverOptions& options) {
+        Told told;
+        dem::PushPlan plan = to(0.14);
+        plan.progress = [&](const dem::PushProgress& p) {
+            if (p.slowdowns == 0) told.given_up = p.done;
+            told.looks += p.displacement > 0.11 ? 1 : 0;
+        };
+        told.result = dem::push(m, w, plan, options);
+        return told;
+    };
+    const Told repeated = push(o), first = push(once);
+    REQUIRE(repeated.result.slowdowns > 0);
+    CHECK(repeated.given_up < 0.2);
+    CHECK(first.given_up == 1.0);
+    CHECK(first.looks > 5);
+    CHECK(repeated.looks < 1.5 * first.looks);
+}
+
 TEST_CASE("wall run: a stiff and slender wall is pushed no faster than it can follow",
           "[dem][wall_run]")
 {
