@@ -229,8 +229,7 @@ bench::Report report_of(const std::vector<ComparedScene>& scenes, const Request&
     r.sections.push_back({"before",
                           "Before: the same scenes and references, solver revision " +
                               bench::AnswerFile(request.before, true).revision(),
-                          "",
-                          bench::error_table(before)});
+                          "", bench::error_table(before)});
     r.sections.push_back(
         {"before_worst", "Before: largest errors", "", bench::worst_table(before)});
     return r;

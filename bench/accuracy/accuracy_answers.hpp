@@ -26,7 +26,7 @@ class AnswerFile {
     /// with these settings. One that was too dear is only as good as the time it had.
     [[nodiscard]] std::optional<Answer>
     find(const std::string& text, const std::string& settings, double most_seconds) const;
-    /// Revision of the solver that gave the last answer read from the file; empty: none was read.
+    /// Revision of the solver that gave the last answer in the file; empty: none was read.
     [[nodiscard]] const std::string& revision() const { return revision_; }
     /// @throws std::runtime_error if the file cannot be written
     void add(std::uint64_t number, const std::string& text, const std::string& settings,

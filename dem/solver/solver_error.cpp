@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::size_t kPoints = 5; // over which a peak is read
 // The slope at the peak is too small for what happened before it. The factor is a free choice,
-// made on scenes 0 to 99 of docs/bench/accuracy/accuracy.md: 95 of 100 peaks within the accuracy.
+// made on scenes 0 to 99 of docs/bench/accuracy/accuracy.md: 95 % of the peaks are within the
+// accuracy.
 constexpr double kWider = 10.0 / 3.0;
 // Local damping takes most of what rings, and so less from the force, than combined damping
 // does. The factor holds nine of ten of the paper's walls.

@@ -432,8 +432,8 @@ void WallRun::start_slowly()
     start_again();
 }
 
-/// Whether the push has just gone so far that its error at the peak is known. The peak of a push
-/// to and fro is known at its end.
+/// Whether the push has just gone so far that its error at the peak is known. The peak of a
+/// push to and fro is known at its end.
 bool WallRun::passed_peak()
 {
     if (drive_.turns_back()) return false;
