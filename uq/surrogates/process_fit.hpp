@@ -31,10 +31,10 @@ struct ProcessFitOptions {
 
 /// Predictions of each point by a process that has not seen it, nor has its choice of
 /// parameters: the points are parted into `folds` (row modulo folds), and the parameters, with
-/// noise, are fitted anew without each part; of more than 100 points from those of `fit` on. Where
-/// the rest cannot be fitted, as where they are equal, the parameters of `fit` stay.
-/// leave_one_out keeps the parameters everywhere, and promises too much where points are few
-/// for the number of lengths.
+/// noise, are fitted anew without each part; with more than 100 points they start from those of
+/// `fit`. Where the rest cannot be fitted, as where they are equal, the parameters of `fit`
+/// stay. leave_one_out keeps the parameters everywhere, and promises too much where points are
+/// few for the number of lengths.
 /// @param fit of estimated noise, without noise of points alone  @param folds 2 or more
 [[nodiscard]] ProcessLeaveOneOut held_out(const GaussianProcess& fit, int folds = 10);
 
