@@ -19,6 +19,13 @@ LeastSquares least_squares(const MatrixXd& x, const Eigen::VectorXd& y)
     return {qr.solve(y), qr.rank()};
 }
 
+Eigen::VectorXd leverages(const MatrixXd& x)
+{
+    const Eigen::ColPivHouseholderQR<MatrixXd> qr(x);
+    const MatrixXd q = qr.householderQ() * MatrixXd::Identity(x.rows(), qr.rank());
+    return q.rowwise().squaredNorm();
+}
+
 Eigen::Index rank(const MatrixXd& m) { return Eigen::ColPivHouseholderQR<MatrixXd>(m).rank(); }
 
 } // namespace core

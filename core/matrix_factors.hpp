@@ -22,6 +22,9 @@ struct LeastSquares {
 /// The coefficients b that make |x b - y| least, by a QR factor with pivots.
 [[nodiscard]] LeastSquares least_squares(const Eigen::MatrixXd& x, const Eigen::VectorXd& y);
 
+/// Part of each y_i in its own fitted value: the diagonal of x (x' x)^-1 x', in [0, 1].
+[[nodiscard]] Eigen::VectorXd leverages(const Eigen::MatrixXd& x);
+
 /// The number of columns that are independent.
 [[nodiscard]] Eigen::Index rank(const Eigen::MatrixXd& m);
 

@@ -88,7 +88,11 @@ void read_process(const Json& j, std::size_t inputs, LearnedLevel& level)
         kernel_at(j), uq::ProcessTrend::constant,
         {j.at("variance"), vector_at(j, "lengths"), j.at("noise"),
          j.contains("noise_slopes") ? vector_at(j, "noise_slopes") : Eigen::VectorXd()});
-    level.inflation = uq::inflation_of(uq::leave_one_out(*level.process));
+    level.inflation = j.contains("inflation")
+                          ? j["inflation"].get<double>()
+                          : uq::inflation_of(uq::leave_one_out(*level.process));
+    if (!(level.inflation >= 1.0 && std::isfinite(level.inflation)))
+        throw Damage("inflation: must be 1 or more");
 }
 
 void read_chaos(const Json& j, const std::vector<LearnedInput>& inputs, LearnedLevel& level)

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <stdexcept>
 
@@ -36,38 +37,44 @@ void let_noise_vary(LevelSurrogate& s)
             uq::fit_process({s.points.coordinates, s.points.y},
                             {.kernel = s.process->kernel, .noise_varies = true});
         if (!uq::noise_clearly_varies(p, *s.process)) return;
-        s.process_error = error_of(uq::leave_one_out(p).residual, s.points.y);
         s.process = std::move(p);
     } catch (const std::invalid_argument&) { // no factor: the noise is the same everywhere
     }
 }
 
-/// The kernel with the smaller error on walls left out.
-void fit_processes(LevelSurrogate& s)
+/// The kernel with the smaller error on walls left out, at parameters that have seen them.
+/// @return what it says of walls that its parameters have not seen
+uq::ProcessLeaveOneOut fit_processes(LevelSurrogate& s)
 {
+    double least = std::numeric_limits<double>::infinity();
     for (const auto kernel :
          {uq::ProcessKernel::matern_52, uq::ProcessKernel::squared_exponential})
         try {
             uq::GaussianProcess p =
                 uq::fit_process({s.points.coordinates, s.points.y}, {.kernel = kernel});
-            const SurrogateError error = error_of(uq::leave_one_out(p).residual, s.points.y);
-            if (s.process && !(error.q2 > s.process_error.q2)) continue;
+            const double error = uq::leave_one_out(p).residual.squaredNorm();
+            if (s.process && !(error < least)) continue;
             s.process = std::move(p);
-            s.process_error = error;
+            least = error;
         } catch (const std::invalid_argument&) { // no factor: the other kernel, or chaos alone
         }
-    if (s.process) let_noise_vary(s);
+    if (!s.process) return {};
+    let_noise_vary(s);
+    uq::ProcessLeaveOneOut out = uq::held_out(*s.process);
+    s.process_error = error_of(out.residual, s.points.y);
+    s.inflation = uq::inflation_of(out);
+    return out;
 }
 
 void fit_both(LevelSurrogate& s, const std::vector<uq::PolynomialFamily>& families)
 {
     const Eigen::VectorXd& y = s.points.y;
-    fit_processes(s);
+    const uq::ProcessLeaveOneOut process_out = fit_processes(s);
     s.chaos = uq::fit_chaos(families, s.points.coordinates, y);
     const Eigen::VectorXd out = uq::held_out_residuals(*s.chaos, s.points.coordinates, y);
     s.chaos_error = error_of(out, y);
     s.chaos_is_better = !s.process || s.chaos_error.q2 > s.process_error.q2;
-    s.left_out = y - (s.chaos_is_better ? out : uq::leave_one_out(*s.process).residual);
+    s.left_out = y - (s.chaos_is_better ? out : process_out.residual);
 }
 
 void judge(LevelSurrogate& s)

@@ -43,8 +43,11 @@ struct LevelSurrogate {
     std::optional<uq::ChaosFit> chaos;
     std::optional<uq::GaussianProcess> process;
     SurrogateError chaos_error;   ///< terms chosen anew without each tenth of the walls
-    SurrogateError process_error; ///< leave-one-out
-    Eigen::VectorXd left_out;     ///< what the better one says of each wall without it
+    SurrogateError process_error; ///< parameters fitted anew, likewise
+    /// Variance of a prediction of the process, times this: mean square of what it misses on
+    /// walls left out over what it promises, at least 1.
+    double inflation = 1.0;
+    Eigen::VectorXd left_out; ///< what the better one says of each wall without it
     bool chaos_is_better = false;
     std::optional<double> one_heap; ///< p-value
     std::vector<std::string>

@@ -67,16 +67,12 @@ Json process_json(const LevelSurrogate& l)
 {
     if (!l.process) return {};
     const uq::GaussianProcess& p = *l.process;
-    Json j = {{"error", error_json(l.process_error)},
-              {"kernel", std::string(uq::name(p.kernel))},
-              {"variance", p.parameters.variance},
-              {"lengths", exact_list(p.parameters.lengths)},
-              {"noise", p.parameters.noise},
-              {"constant", p.trend_weights(0)},
-              {"weights", exact_list(p.weights)},
-              {"points", exact_rows(p.data.x)},
-              {"responses", exact_list(p.data.y)},
-              {"inflation", uq::inflation_of(uq::leave_one_out(p))}};
+    Json j = {
+        {"error", error_json(l.process_error)}, {"kernel", std::string(uq::name(p.kernel))},
+        {"variance", p.parameters.variance},    {"lengths", exact_list(p.parameters.lengths)},
+        {"noise", p.parameters.noise},          {"constant", p.trend_weights(0)},
+        {"weights", exact_list(p.weights)},     {"points", exact_rows(p.data.x)},
+        {"responses", exact_list(p.data.y)},    {"inflation", l.inflation}};
     if (p.parameters.noise_slopes.size() > 0)
         j["noise_slopes"] = exact_list(p.parameters.noise_slopes);
     return j;

@@ -72,9 +72,8 @@ Table surrogate_table(const SurrogateStudy& s)
         "How well the " + words(*s.response) + " of a wall is predicted without running it";
     t.caption = "Q2 is the share of the variance that is explained on walls left out, RMSE the "
                 "error there: of the "
-                "Gaussian process by leave-one-out in closed form, of the polynomial chaos "
-                "with terms chosen anew "
-                "without each tenth of the walls.";
+                "Gaussian process with parameters fitted anew, of the polynomial chaos with "
+                "terms chosen anew, without each tenth of the walls.";
     t.keys = 2;
     t.head = {"stress [MPa]",       "surrogate", "walls",        "Q2",
               with_unit(s, "RMSE"), "answer",    {"note", kNote}};

@@ -39,18 +39,28 @@ double basis_function(Basis kind, double share, int degree)
     return degree == 1 ? z : z * z - 1.0;
 }
 
-/// Variance of the residual of an additive fit.
-double residual_variance(const Eigen::VectorXd& y, const Eigen::MatrixXd& shares, Basis kind)
+/// Mean squares of the residual of an additive fit, over 1 - h and over (1 - h)^2 with h the
+/// leverage: without bias where the residual is as large everywhere, and of samples left out.
+/// A residual that grows to the ends of an input, as an interaction leaves it, is largest where
+/// the fit follows it most.
+struct ResidualSquares {
+    double unbiased, left_out;
+};
+
+ResidualSquares residual_squares(const Eigen::VectorXd& y, const Eigen::MatrixXd& shares,
+                                 Basis kind)
 {
+    constexpr double kLeastRoom = 1e-9; // a sample that the fit follows blindly
     const int degree = latin_degree(shares.rows(), shares.cols());
     Eigen::MatrixXd columns = Eigen::MatrixXd::Ones(shares.rows(), 1 + degree * shares.cols());
     for (Eigen::Index c = 1; c < columns.cols(); ++c)
         for (Eigen::Index i = 0; i < columns.rows(); ++i)
             columns(i, c) = basis_function(kind, shares(i, (c - 1) / degree),
                                            1 + static_cast<int>((c - 1) % degree));
-    const core::LeastSquares fit = core::least_squares(columns, y);
-    return (y - columns * fit.coefficients).squaredNorm() /
-           static_cast<double>(columns.rows() - fit.rank);
+    const Eigen::VectorXd fitted = columns * core::least_squares(columns, y).coefficients;
+    const Eigen::ArrayXd room = (1.0 - core::leverages(columns).array()).max(kLeastRoom);
+    const Eigen::ArrayXd square = (y - fitted).array().square();
+    return {(square / room).mean(), (square / room.square()).mean()};
 }
 
 } // namespace
@@ -72,8 +82,9 @@ double latin_mean_error(std::span<const double> y, const Eigen::MatrixXd& inputs
         throw std::invalid_argument("error under a Latin hypercube: a value is not finite");
     Eigen::MatrixXd shares(inputs.rows(), inputs.cols());
     for (Eigen::Index k = 0; k < inputs.cols(); ++k) shares.col(k) = rank_shares(inputs.col(k));
-    const double variance = std::min(residual_variance(values, shares, Basis::normal_scores),
-                                     residual_variance(values, shares, Basis::waves));
+    const ResidualSquares scores = residual_squares(values, shares, Basis::normal_scores),
+                          waves = residual_squares(values, shares, Basis::waves);
+    const double variance = scores.left_out < waves.left_out ? scores.unbiased : waves.unbiased;
     return std::sqrt(variance / static_cast<double>(n));
 }
 

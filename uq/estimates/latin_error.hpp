@@ -17,8 +17,11 @@ namespace uq {
 [[nodiscard]] int latin_degree(Eigen::Index samples, Eigen::Index inputs);
 
 /// Standard error of the mean of y: s / sqrt(n), with s the standard deviation of the residual
-/// of an additive regression on the ranks of the inputs. Its functions are Hermite polynomials
-/// of normal scores or cosines of ranks, whichever leave less, of latin_degree.
+/// of an additive regression on the ranks of the inputs, each residual over the root of 1 - its
+/// leverage. Its functions are Hermite polynomials of normal scores or cosines of ranks,
+/// whichever miss samples left out by less, of latin_degree. Stated over true error is 0.85 to
+/// 1.3 for responses that are smooth or jump across several inputs; it is an upper bound, up
+/// to 9 times too large, where the response jumps, bends or swings with one input alone.
 /// @param y  finite, at least 2  @param inputs  one row for each sample, one column for each
 /// independent input; values only rank
 /// @throws std::invalid_argument for other sizes, or a value that is not finite

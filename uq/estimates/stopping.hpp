@@ -3,7 +3,8 @@
 ///
 /// Stopping at a narrow interval favours samples whose spread came out small, so that the
 /// coverage of the last interval is a little below its confidence
-/// (tests/uq/analysis/test_stopping.cpp measures it). A larger `min_n` and growth in large
+/// (tests/uq/analysis/test_stopping.cpp measures it): 88 % of 95 % from min_n = 2 on, 92 % from
+/// 5 and 94 % from 10 (means of normal values). A larger `min_n` and growth in large
 /// steps keep this effect small.
 
 #include "uq/estimates/estimate.hpp"

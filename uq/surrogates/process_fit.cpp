@@ -21,7 +21,11 @@ constexpr std::size_t kFollowed = 2;
 constexpr double kLeastNoise = 1e-8, kMostNoise = 2.0; // [variances of the response]
 constexpr double kShortest = 0.05, kLongest = 100.0;   // [standard deviations of an input]
 constexpr double kLeastVariance = 1e-4, kMostVariance = 1e6; // [variances of the response]
-constexpr double kSteepest = 2.0;   ///< of the noise, over a standard deviation of an input
+constexpr double kSteepest = 2.0; ///< of the noise, over a standard deviation of an input
+/// Points up to which held_out fits parts from all starts: one start alone finds maxima near
+/// that of all points, and 20 points for 10 lengths then hold 84 % of 95 % instead of 90 %.
+/// Choice: of more points the cost is larger than the difference.
+constexpr Eigen::Index kMostFitsFromAfar = 100;
 constexpr double kHopeless = 1e100; // minus the log likelihood where K has no factor
 
 /// Data with every column of mean 0 and mean square 1.
@@ -59,6 +63,35 @@ ScaledFit scaled_fit(const ProcessData& data, const ProcessFitOptions& options)
                s.y_scale;
     s.data.noise /= s.y_scale * s.y_scale;
     return s;
+}
+
+/// From the units of the fit to those of the data.
+ProcessParameters unscaled(const ScaledFit& s, ProcessParameters p)
+{
+    p.lengths = p.lengths.cwiseProduct(s.x_scale.transpose()).eval();
+    p.variance *= s.y_scale * s.y_scale;
+    p.noise *= s.y_scale * s.y_scale;
+    if (s.noise_varies) {
+        p.noise_slopes = p.noise_slopes.cwiseQuotient(s.x_scale.transpose()).eval();
+        p.noise *= std::exp(-s.x_middle.dot(p.noise_slopes));
+    }
+    return p;
+}
+
+/// Inverse of unscaled and parameters_of.
+std::vector<double> place_of(const ScaledFit& s, const ProcessParameters& p)
+{
+    std::vector<double> t;
+    for (Eigen::Index k = 0; k < p.lengths.size(); ++k)
+        t.push_back(std::log(p.lengths(k) / s.x_scale(k)));
+    const double scale = s.y_scale * s.y_scale;
+    t.push_back(std::log(p.variance / scale));
+    const double slope = s.noise_varies ? s.x_middle.dot(p.noise_slopes) : 0.0;
+    if (s.noise_estimated) t.push_back(std::log(p.noise / scale) + slope);
+    if (s.noise_varies)
+        for (Eigen::Index k = 0; k < p.lengths.size(); ++k)
+            t.push_back(p.noise_slopes(k) * s.x_scale(k));
+    return t;
 }
 
 /// Logarithms of lengths, variance and, where it is estimated, noise; then its slopes.
@@ -147,25 +180,44 @@ std::vector<ProcessStart> process_starts(ScaledFit& s)
     return starts;
 }
 
+struct ProcessBounds {
+    std::vector<double> lower, upper;
+};
+
+ProcessBounds bounds_of(const ScaledFit& s, std::size_t size)
+{
+    const auto d = static_cast<std::size_t>(s.data.x.cols());
+    ProcessBounds b{std::vector<double>(size, std::log(kShortest)),
+                    std::vector<double>(size, std::log(kLongest))};
+    b.lower[d] = std::log(kLeastVariance);
+    b.upper[d] = std::log(kMostVariance);
+    if (s.noise_estimated) {
+        b.lower[d + 1] = std::log(kLeastNoise);
+        b.upper[d + 1] = std::log(kMostNoise);
+    }
+    for (std::size_t k = d + 2; k < size; ++k) {
+        b.lower[k] = -kSteepest;
+        b.upper[k] = kSteepest;
+    }
+    return b;
+}
+
+/// The start at these parameters, or where the bounds are nearest to them.
+std::vector<ProcessStart> starts_at(ScaledFit& s, const ProcessParameters& p)
+{
+    std::vector<double> t = place_of(s, p), none;
+    const ProcessBounds b = bounds_of(s, t.size());
+    for (std::size_t k = 0; k < t.size(); ++k) t[k] = std::clamp(t[k], b.lower[k], b.upper[k]);
+    return {{t, minus_likelihood(t, none, &s)}};
+}
+
 /// Climbs from a start, in place.
 void follow(ScaledFit& s, ProcessStart& start)
 {
-    const auto d = static_cast<std::size_t>(s.data.x.cols());
     nlopt::opt search(nlopt::LD_SLSQP, static_cast<unsigned>(start.t.size()));
-    std::vector<double> lower(start.t.size(), std::log(kShortest)),
-        upper(start.t.size(), std::log(kLongest));
-    lower[d] = std::log(kLeastVariance);
-    upper[d] = std::log(kMostVariance);
-    if (s.noise_estimated) {
-        lower[d + 1] = std::log(kLeastNoise);
-        upper[d + 1] = std::log(kMostNoise);
-    }
-    for (std::size_t k = d + 2; k < start.t.size(); ++k) {
-        lower[k] = -kSteepest;
-        upper[k] = kSteepest;
-    }
-    search.set_lower_bounds(lower);
-    search.set_upper_bounds(upper);
+    const ProcessBounds bounds = bounds_of(s, start.t.size());
+    search.set_lower_bounds(bounds.lower);
+    search.set_upper_bounds(bounds.upper);
     search.set_min_objective(minus_likelihood, &s);
     search.set_maxeval(s.options.evaluations);
     search.set_ftol_abs(1e-6);
@@ -187,19 +239,49 @@ GaussianProcess fit_process(const ProcessData& data, const ProcessFitOptions& op
         throw std::invalid_argument(
             "process: x and y must be finite, with the same number of rows");
     ScaledFit s = scaled_fit(data, options);
-    std::vector<ProcessStart> starts = process_starts(s);
+    std::vector<ProcessStart> starts =
+        options.from ? starts_at(s, *options.from) : process_starts(s);
     starts.resize(std::min(kFollowed, starts.size()));
     for (ProcessStart& start : starts) follow(s, start);
     const ProcessStart& best = *std::ranges::min_element(starts, {}, &ProcessStart::value);
-    ProcessParameters p = parameters_of(s, best.t);
-    p.lengths = p.lengths.cwiseProduct(s.x_scale.transpose()).eval();
-    p.variance *= s.y_scale * s.y_scale;
-    p.noise *= s.y_scale * s.y_scale;
-    if (s.noise_varies) {
-        p.noise_slopes = p.noise_slopes.cwiseQuotient(s.x_scale.transpose()).eval();
-        p.noise *= std::exp(-s.x_middle.dot(p.noise_slopes));
+    return condition(data, options.kernel, options.trend,
+                     unscaled(s, parameters_of(s, best.t)));
+}
+
+namespace {
+
+/// The process of some of the points, its parameters fitted anew.
+GaussianProcess refitted(const GaussianProcess& fit, const std::vector<Eigen::Index>& rows)
+{
+    const ProcessData some{fit.data.x(rows, Eigen::all), fit.data.y(rows)};
+    ProcessFitOptions options{.kernel = fit.kernel,
+                              .trend = fit.trend,
+                              .noise_varies = fit.parameters.noise_slopes.size() > 0};
+    if (fit.data.y.size() > kMostFitsFromAfar) options.from = fit.parameters;
+    try {
+        return fit_process(some, options);
+    } catch (const std::invalid_argument&) { // the rest are equal, or have no factor
+        return condition(some, fit.kernel, fit.trend, fit.parameters);
     }
-    return condition(data, options.kernel, options.trend, p);
+}
+
+} // namespace
+
+ProcessLeaveOneOut held_out(const GaussianProcess& fit, int folds)
+{
+    const Eigen::Index n = fit.data.y.size();
+    ProcessLeaveOneOut all{Eigen::VectorXd(n), Eigen::VectorXd(n)};
+    for (int fold = 0; fold < folds; ++fold) {
+        std::vector<Eigen::Index> in, out;
+        for (Eigen::Index i = 0; i < n; ++i) (i % folds == fold ? out : in).push_back(i);
+        if (out.empty()) continue;
+        const GaussianProcess process = refitted(fit, in);
+        const Eigen::MatrixXd x = fit.data.x(out, Eigen::all);
+        const ProcessPrediction p = predict(process, x);
+        all.residual(out) = fit.data.y(out) - p.mean;
+        all.variance(out) = p.variance + noise_at(process.parameters, x);
+    }
+    return all;
 }
 
 namespace {

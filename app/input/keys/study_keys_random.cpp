@@ -162,7 +162,7 @@ constexpr std::array kRandomKeys = {
         .field = kAt<&Study::uq, &UqInput::group_correlation>},
     Key{.name = "uq.stop", .kind = Kind::word, .names = kStops,
         .effect = kWithSamples, .verbs = "study",
-        .meaning = "adds walls until the 95 % interval is narrow enough at every level: of the mean of the peak force, of a share, of the median of displacements and drifts",
+        .meaning = "adds walls until the 95 % interval is narrow enough at every level: of the mean of the peak force, of a share, of the median of displacements and drifts; from 10 walls on",
         .field = kAt<&Study::uq, &UqInput::stop>},
     Key{.name = "uq.stop_half_width", .range = {'(', 0, 1, ']'},
         .effect = kWithStop, .verbs = "study",

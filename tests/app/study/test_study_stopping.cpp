@@ -73,3 +73,13 @@ TEST_CASE("study stopping: peaks that still rise at the end are bounds of their 
     walls.study.uq.stop = 0; // the peak force itself: its mean, as in the tables
     CHECK(app::stopping_state(walls).next == 0);
 }
+
+TEST_CASE("study stopping: no study ends at fewer than ten walls, however narrow they lie",
+          "[app][study_stopping]")
+{
+    app::StudyWalls walls = walls_of(3, 0, "peak_force", 0.3);
+    CHECK(app::stopping_state(walls).next == 10);
+    walls.study.uq.most_samples = 6; // the limit of walls is the user's
+    CHECK(app::stopping_state(walls).next == 6);
+    CHECK(app::stopping_state(walls_of(10, 0, "peak_force", 0.3)).next == 0);
+}

@@ -11,6 +11,7 @@
 #include "tests/uq/latin_scene.hpp"
 #include "uq/designs/stream.hpp"
 #include "uq/sensitivity/hsic.hpp"
+#include "uq/surrogates/process_fit.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -241,7 +242,9 @@ TEST_CASE("surrogate: Jacobi's coordinate and noise that grows come back from th
     const SurrogateAnswers a = predict(learned, learned.levels.front(), x);
     const Eigen::VectorXd noise = uq::noise_at(level.process->parameters, c);
     const uq::ProcessPrediction p = uq::predict(*level.process, c);
-    const double inflation = uq::inflation_of(uq::leave_one_out(*level.process));
+    const double inflation = uq::inflation_of(uq::held_out(*level.process));
+    CHECK(level.inflation == inflation);
+    CHECK(learned.levels.front().inflation == inflation);
     CHECK(noise.maxCoeff() > 4.0 * noise.minCoeff());
     for (Eigen::Index i = 0; i < x.rows(); ++i)
         CHECK(a.sd(i) * learned.scale ==

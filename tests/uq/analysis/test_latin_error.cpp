@@ -16,7 +16,7 @@
 
 namespace {
 
-/// A response of five normal variables, and whether it counts.
+/// A response of normal variables, and whether it counts.
 struct Answer {
     double y;
     bool member = true;
@@ -29,12 +29,13 @@ struct Ratios {
     double independent, hypercube;
 };
 
-Ratios stated_over_true(const BlackBox& box, int n, int seeds)
+Ratios stated_over_true(const BlackBox& box, int n, int seeds, int inputs = 5)
 {
     std::vector<double> means;
     double independent = 0.0, hypercube = 0.0;
     for (int seed = 1; seed <= seeds; ++seed) {
-        Eigen::MatrixXd x = scenes::latin_hypercube(n, 5, static_cast<std::uint64_t>(seed));
+        Eigen::MatrixXd x =
+            scenes::latin_hypercube(n, inputs, static_cast<std::uint64_t>(seed));
         x = x.unaryExpr([](double u) { return core::normal_quantile(u); });
         std::vector<double> y, counted;
         std::vector<bool> member;
@@ -88,6 +89,34 @@ TEST_CASE("latin error: stated over true error is one where that of independent 
     CHECK(p.independent > 3.0);
     CHECK(s.independent > 1.4);
     CHECK(d.independent == Approx(1.0).margin(0.15));
+}
+
+TEST_CASE("latin error: few walls whose residual is largest at the ends of the inputs",
+          "[uq][latin_error]")
+{
+    // the fit follows samples at the ends most: where those miss most, its plain residual is
+    // too small (0.80 and 0.78 of the true error)
+    const auto product = [](const Eigen::VectorXd& x) {
+        return Answer{0.3 * x[0] + x[0] * x[1]};
+    };
+    const auto growing = [](const Eigen::VectorXd& x) {
+        return Answer{std::exp(0.4 * (x[0] + x[1]))};
+    };
+    for (const BlackBox& box : {BlackBox(product), BlackBox(growing)}) {
+        const double ratio = stated_over_true(box, 20, 2000, 2).hypercube;
+        CHECK(ratio > 0.88);
+        CHECK(ratio < 1.15);
+    }
+}
+
+TEST_CASE("latin error: a jump along one input alone has an error that is stated too large",
+          "[uq][latin_error]")
+{
+    // no smooth function has it, and the hypercube removes nearly all of it: an upper bound
+    const auto jump = [](const Eigen::VectorXd& x) { return Answer{x[0] > 0.2 ? 1.0 : 0.0}; };
+    const Ratios r = stated_over_true(jump, 50, 200);
+    CHECK(r.hypercube > 2.0);
+    CHECK(r.hypercube < 0.6 * r.independent);
 }
 
 TEST_CASE("latin error: without enough samples for a regression it is that of independent ones",
