@@ -49,7 +49,7 @@ class Drive {
     /// Whether the last step of a push that turns back arrived at zero displacement, which it
     /// never steps across.
     [[nodiscard]] bool passed_zero() const { return passed_zero_; }
-    /// Whether the targets lie on both sides of one that comes before them.
+    /// Whether the push turns back on its way.
     [[nodiscard]] bool turns_back() const { return turns_.size() > 1; }
     /// Whether a push that turns back is at its end, which is a point like its turns.
     [[nodiscard]] bool came_to_its_end() const { return turns_back() && finished(); }

@@ -48,8 +48,9 @@ constexpr double kNeverMore = 2.0; // a free choice
 constexpr double kSlowdown = 2.0;
 // The peak is past where the force has come down to this share of it, or where it has grown by
 // less than this factor while the way has doubled.
-constexpr double kPast = 0.8, kFlat = 1.02; // free choices: they move the cost alone
-constexpr double kNearPeak = 1.02;          // a free choice: few states are kept on the way up
+// Both are free choices: they move the cost, and the tail of a slower push.
+constexpr double kPast = 0.8, kFlat = 1.02;
+constexpr double kNearPeak = 1.02; // a free choice: few states are kept on the way up
 // Error of the slower of two pushes, as a multiple of the change of its peak: 1, if errors fall
 // with the accuracy asked; 2.4, with its root. Both may be wrong by the same: a small change is
 // believed down to kBelieved of the estimate of the push itself.
