@@ -3,7 +3,7 @@
 /** Values of the controls of try/page/study.js that are not the usual ones. */
 const kSmall = { 'wall.length': '0.80', 'wall.courses': '5', 'load.max_displacement': '8', 'solver.fidelity': 'simple' };
 /** Other last digits move a peak by a part of the error that the solver is allowed. */
-const kAccurate = 'solver.accuracy = 0.3 %';
+const kAccurate = 'solver.accuracy = 0.1 %';
 const scene = (values) => ({ ...kSmall, ...values, more: [kAccurate, values.more ?? ''].join('\n') });
 
 export const kScenes = [

@@ -384,7 +384,7 @@ TEST_CASE("calibration: the verb learns from the energy of a cycle, in J or kJ",
     std::ofstream(c.path("study.ini")) << text;
     const std::string head = "stress [MPa],energy of cycle 2 [";
     // ten walls leave the scatter of loops as large as what friction does to them
-    const std::vector<std::string> more = {"--threads", "1", "--set", "uq.samples=25"};
+    const std::vector<std::string> more = {"--threads", "1", "--set", "uq.samples=50"};
     REQUIRE(c.run(head + "J]\n0.5,40\n1,50\n", "study.ini", "little", more) == 0);
     // the prior of a further wall is the loop that the walls of the study made
     CHECK_THAT(c.text("little/further_wall.csv"),
