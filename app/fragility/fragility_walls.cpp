@@ -50,6 +50,7 @@ TableColumns<Wall> columns_of(const StudyWalls& study)
                  number_of(study, wall_number("rotation_share")),
                  number_of(study, wall_number("sliding_share")),
                  number_of(study, wall_number("solver_error")),
+                 number_of(study, wall_number("ultimate_error")),
                  number_of(study, wall_number("points_error"))});
     for (std::size_t i = 0; i < study.inputs.size(); ++i) {
         const StoredInput& input = study.inputs[i];

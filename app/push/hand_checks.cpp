@@ -3,6 +3,7 @@
 #include "app/input/wall/wall_geometry.hpp"
 #include "app/push/pier_table.hpp"
 #include "app/reading/points_error.hpp"
+#include "app/study/answers/fragility_text.hpp"
 #include "app/study/answers/limit_choices.hpp"
 #include "app/study/answers/solver_error.hpp"
 #include "app/study/pushed/both_ways.hpp"
@@ -121,6 +122,22 @@ void add_inaccurate(const Study& study, const PushedWall& w, std::vector<std::st
                           " asked for (solver.accuracy); a smaller one slows it");
 }
 
+/// The force touches the ultimate share of the peak, or falls slowly there.
+void add_wide_fall(const Study& study, const PushedWall& w, std::vector<std::string>& remarks)
+{
+    constexpr double kWide = 0.1; // of the ultimate displacement, a free choice
+    if (!(ultimate_error(w.reading) > kWide)) return;
+    const fragility::DropRange& range = w.reading.ultimate_range;
+    remarks.push_back("the ultimate displacement may be anything between " +
+                      fixed(1e3 * range.earliest.displacement, 2) + " and " +
+                      (is_censored(range.latest) ? "more than " : "") +
+                      fixed(1e3 * range.latest.displacement, 2) +
+                      " mm, because the force stays so close to " +
+                      percent_text(study.fragility.ultimate_share) +
+                      " of the peak that the solver error decides where it is down to that; a "
+                      "smaller solver.accuracy may narrow it");
+}
+
 /// Faces that rock have few contact points under pressure.
 void add_few_points(const Study& study, const PushedWall& w, std::vector<std::string>& remarks)
 {
@@ -226,6 +243,7 @@ HandChecks hand_checks(const Study& study, const dem::Layout& layout, const Push
     if (w.piers.empty()) add(pier_remark(study), h.remarks);
     for (std::string& remark : piers_remarks(study, w)) add(std::move(remark), h.remarks);
     add_inaccurate(study, w, h.remarks);
+    add_wide_fall(study, w, h.remarks);
     add_few_points(study, w, h.remarks);
     add_coarse_peak(w, h.remarks);
     add_slid_off(study, w, h.remarks);

@@ -63,6 +63,7 @@ Table level_table(const Study& study, const std::vector<PushedWall>& walls)
                      {"mode", [](const LevelRow& r) { return mode_of(*r.wall); }},
                      number_of(wall_number("cracked_units")),
                      number_of(wall_number("solver_error"), kDetail),
+                     number_of(wall_number("ultimate_error"), kDetail),
                      number_of(wall_number("points_error"), kDetail),
                      number_of(wall_number("energy_residual"), kDetail)});
     fill(t, columns, rows);

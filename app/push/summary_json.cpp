@@ -241,6 +241,7 @@ std::string summary_json(const Study& study, const dem::Layout& layout, const Pu
     j["hand_checks"] = checks(hand_checks(study, layout, w));
     j["energy_residual"] = or_null(value(wall_number("energy_residual"), source));
     add_number(wall_number("solver_error"), source, j);
+    add_number(wall_number("ultimate_error"), source, j);
     add_number(wall_number("points_error"), source, j);
     j["energy"] = energy_json(w.result.energy);
     j["settled_before_push"] = w.result.settled;

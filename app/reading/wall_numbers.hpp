@@ -92,6 +92,7 @@ constexpr double displacement_of(const fragility::LimitDisplacement& limit)
 
 inline bool still_rising(const WallReading& w) { return w.peak && w.peak->at_end; }
 inline bool never_fell(const WallReading& w) { return is_censored(w.ultimate); }
+inline bool ends_in_range(const WallReading& w) { return is_censored(w.ultimate_range.latest); }
 inline bool never_collapsed(const WallReading& w) { return is_censored(w.collapse); }
 
 // clang-format off
@@ -106,6 +107,8 @@ inline constexpr std::array kWallNumbers = {
         [](const WallReading& w, double height) { return fragility::drift(displacement_of(w.ultimate), height); }, nullptr, never_fell, true},
     WallNumber{"ultimate_censored", "", kNoUnit, 0, Kept::no, "1: the ultimate displacement is only a lower bound",
         [](const WallReading& w, double) { return never_fell(w) ? 1.0 : 0.0; }},
+    WallNumber{"ultimate_error", "", kPercent, 2, Kept::no, "error of the ultimate displacement if the peak force is wrong by its solver error: the farther end of its range",
+        [](const WallReading& w, double) { return ultimate_error(w); }, nullptr, ends_in_range},
     WallNumber{"collapse_displacement", "", kLengthUnit, 2, Kept::no, "of the load line where no force is left or the wall came down",
         [](const WallReading& w, double) { return displacement_of(w.collapse); }, nullptr, never_collapsed, true},
     WallNumber{"secant_stiffness", "stiffness", kStiffnessUnit, 1, Kept::as_response, "at 30 % of the peak",

@@ -80,7 +80,7 @@ std::optional<double> stiffness_of(const fragility::Curve& curve, double residua
 }
 
 WallReading read_curve(const ToRead& side, bool came_down, const dem::Mechanism& mechanism,
-                       const ReadingRules& rules)
+                       const ReadingRules& rules, double solver_error)
 {
     const fragility::Curve curve{side.backbone.displacement, side.backbone.force, came_down};
     WallReading w;
@@ -89,6 +89,8 @@ WallReading read_curve(const ToRead& side, bool came_down, const dem::Mechanism&
     if (!loaded) w.stiffness = stiffness_of(curve, side.first.residual);
     w.ultimate =
         fragility::drop_after_peak(curve, rules.options.ultimate_share, rules.options.crossing);
+    w.ultimate_range = fragility::drop_range(curve, rules.options.ultimate_share,
+                                             rules.options.crossing, solver_error);
     w.dropped = is_observed(w.ultimate);
     w.collapse = fragility::drop_after_peak(curve, 0.0);
     const dem::FailureMode mode = code_mode(mechanism, w.dropped, rules.mode);
@@ -157,12 +159,13 @@ double half_of_yield(const ToRead& side, const ReadingRules& rules)
 }
 
 WallReading read_to_and_fro(const fragility::Curve& curve, const dem::Mechanism& mechanism,
-                            const ReadingRules& rules)
+                            const ReadingRules& rules, double solver_error)
 {
     const Backbones b = backbones_of(curve);
     const auto read_side = [&](const ToRead& side) {
-        return was_visited(side) ? read_curve(side, curve.came_down, mechanism, rules)
-                                 : not_read(rules, "the push never goes to this side");
+        return was_visited(side)
+                   ? read_curve(side, curve.came_down, mechanism, rules, solver_error)
+                   : not_read(rules, "the push never goes to this side");
     };
     const WallReading right = read_side(b.right), left = read_side(b.left);
     const bool both = was_visited(b.right) && was_visited(b.left);
@@ -230,15 +233,16 @@ WallReading lost_at_once(const ReadingRules& rules, bool settled)
 } // namespace
 
 WallReading read(const fragility::Curve& curve, const dem::Mechanism& mechanism,
-                 const ReadingRules& rules, bool settled)
+                 const ReadingRules& rules, bool settled, double solver_error)
 {
     WallReading w;
     if (curve.displacement.size() < 2)
         w = lost_at_once(rules, settled);
     else if (rules.direction == 0)
-        w = read_to_and_fro(curve, mechanism, rules);
+        w = read_to_and_fro(curve, mechanism, rules, solver_error);
     else
-        w = read_curve({capacity_curve(curve, rules)}, curve.came_down, mechanism, rules);
+        w = read_curve({capacity_curve(curve, rules)}, curve.came_down, mechanism, rules,
+                       solver_error);
     w.mode = dem::failure_mode(mechanism, w.dropped, rules.mode);
     w.mode_so_far = !w.dropped && dem::standing_is_undecided(rules.mode);
     w.slid = slid_whole(mechanism, w.dropped, rules.mode);
@@ -283,6 +287,8 @@ WallReading worse_of(const WallReading& a, const WallReading& b)
     w.peak = b.peak->force < a.peak->force ? b.peak : a.peak;
     if (a.stiffness && b.stiffness) w.stiffness = std::min(*a.stiffness, *b.stiffness);
     w.ultimate = fragility::worse(a.ultimate, b.ultimate);
+    w.ultimate_range = {fragility::worse(a.ultimate_range.earliest, b.ultimate_range.earliest),
+                        fragility::worse(a.ultimate_range.latest, b.ultimate_range.latest)};
     w.dropped = is_observed(w.ultimate);
     w.collapse = fragility::worse(a.collapse, b.collapse);
     for (std::size_t i = 0; i < a.limits.size(); ++i) {
@@ -298,6 +304,15 @@ double peak_force(const WallReading& w) { return w.peak ? w.peak->force : kNoPea
 double peak_displacement(const WallReading& w)
 {
     return w.peak ? w.peak->displacement : kNoPeak;
+}
+
+double ultimate_error(const WallReading& w)
+{
+    const fragility::DropRange& range = w.ultimate_range;
+    const double at = w.ultimate.displacement;
+    if (!is_observed(w.ultimate) || !is_defined(range.earliest) || !(at > 0.0))
+        return std::numeric_limits<double>::quiet_NaN();
+    return std::max(at - range.earliest.displacement, range.latest.displacement - at) / at;
 }
 
 } // namespace app

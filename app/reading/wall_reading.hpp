@@ -8,6 +8,7 @@
 #include "fragility/curve/cyclic_curve.hpp"
 #include "fragility/curve/limit_states.hpp"
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -63,6 +64,7 @@ struct WallReading {
     std::optional<fragility::Peak> peak; ///< [N] [m]
     std::optional<double> stiffness; ///< secant at fragility::kSecantShare of the peak [N/m]
     fragility::LimitDisplacement ultimate; ///< [m]
+    fragility::DropRange ultimate_range;   ///< of `ultimate`, by the solver error [m]
     fragility::LimitDisplacement collapse; ///< no force left, or the wall came down [m]
     std::vector<fragility::LimitDisplacement> limits; ///< [m], in the order of state_names
     /// By limit state the pier, from 1, whose drift limit it is, or whose it is a share of; 0:
@@ -86,8 +88,10 @@ struct WallReading {
 
 /// @param curve as the solver wrote it, [m] and [N], of a wall that did not fail
 /// @param settled whether the wall was at rest under its vertical load before it was pushed
+/// @param solver_error of the peak force, as a share of it [-]; NaN: not known
 [[nodiscard]] WallReading read(const fragility::Curve& curve, const dem::Mechanism& mechanism,
-                               const ReadingRules& rules, bool settled = false);
+                               const ReadingRules& rules, bool settled = false,
+                               double solver_error = std::numeric_limits<double>::quiet_NaN());
 
 [[nodiscard]] bool same_limit(const fragility::LimitDisplacement& a,
                               const fragility::LimitDisplacement& b);
@@ -116,5 +120,9 @@ struct WallReading {
 
 [[nodiscard]] double peak_force(const WallReading& wall);        ///< [N]; NaN: none
 [[nodiscard]] double peak_displacement(const WallReading& wall); ///< [m]; NaN: none
+
+/// Larger distance of `ultimate` to an end of its range, as a share of it [-]; NaN: one of both
+/// is not known. Where the push ended within the range, it is a lower bound.
+[[nodiscard]] double ultimate_error(const WallReading& wall);
 
 } // namespace app

@@ -15,7 +15,8 @@ namespace bench {
 namespace {
 
 constexpr const char* kHead = "scene,number,revision,settings,outcome,peak [N],at [m],drop [m],"
-                              "reported error [-],residual [-],steps,seconds\n";
+                              "reported error [-],residual [-],steps,seconds,"
+                              "earliest drop [m],latest drop [m]\n";
 constexpr std::size_t kMostBytes = 64U << 20U;
 
 std::string key_of(const std::string& scene, const std::string& revision,
@@ -43,6 +44,8 @@ Answer answer_of(const std::vector<std::string>& cells)
     a.residual = read(cells[9]).value_or(0.0);
     a.steps = std::stoll(cells[10]);
     a.seconds = std::stod(cells[11]);
+    a.earliest = read(cells[12]);
+    a.latest = read(cells[13]);
     return a;
 }
 
@@ -86,7 +89,7 @@ void AnswerFile::add(std::uint64_t number, const std::string& text, const std::s
     out << scene << ',' << number << ',' << revision << ',' << settings << ',' << a.outcome
         << ',' << cell(a.peak) << ',' << cell(a.peak_at) << ',' << cell(a.drop) << ','
         << cell(a.solver_error) << ',' << cell(a.residual) << ',' << a.steps << ','
-        << app::fixed(a.seconds, 3) << '\n';
+        << app::fixed(a.seconds, 3) << ',' << cell(a.earliest) << ',' << cell(a.latest) << '\n';
     if (!out.flush()) throw std::runtime_error("cannot write " + file_.string());
 }
 

@@ -62,6 +62,15 @@ bool is_held(const ComparedScene& c)
     return error < kTooSmall || c.asked.solver_error >= error;
 }
 
+bool is_drop_held(const ComparedScene& c)
+{
+    const Answer& a = c.asked;
+    if (!c.reference.drop) return !a.latest;
+    const double drop = *c.reference.drop;
+    return a.earliest && *a.earliest * (1.0 - kTooSmall) <= drop &&
+           (!a.latest || drop <= *a.latest * (1.0 + kTooSmall));
+}
+
 double quantile_of(std::vector<double> values, double p)
 {
     if (values.empty()) return std::numeric_limits<double>::quiet_NaN();

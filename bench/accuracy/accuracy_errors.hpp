@@ -30,6 +30,9 @@ struct ComparedScene {
 [[nodiscard]] bool is_branch(const ComparedScene& c);
 /// The reported error is not smaller than the true one, or the true one is below kTooSmall.
 [[nodiscard]] bool is_held(const ComparedScene& c);
+/// The drop of the reference lies in the range that the push reports, or is missed by less than
+/// kTooSmall; a wall that does not fall may fall beyond its push.
+[[nodiscard]] bool is_drop_held(const ComparedScene& c);
 inline constexpr double kTooSmall = 5e-4; ///< [-]; the reference itself is not known better
 
 /// The value below or at which a share `p` of the values is; NaN of none.

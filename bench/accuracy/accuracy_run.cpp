@@ -41,7 +41,12 @@ Answer read_answer(const app::PushedWall& wall)
     if (const auto& peak = wall.reading.peak; peak && peak->force > 0.0) {
         a.peak = peak->force;
         a.peak_at = peak->displacement;
-        if (is_observed(wall.reading.ultimate)) a.drop = wall.reading.ultimate.displacement;
+        const auto fall = [](const fragility::LimitDisplacement& d) {
+            return is_observed(d) ? std::optional(d.displacement) : std::nullopt;
+        };
+        a.drop = fall(wall.reading.ultimate);
+        a.earliest = fall(wall.reading.ultimate_range.earliest);
+        a.latest = fall(wall.reading.ultimate_range.latest);
     }
     return a;
 }

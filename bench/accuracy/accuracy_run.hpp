@@ -20,8 +20,10 @@ struct Answer {
     std::string outcome;                 ///< dem::name, "came down at once", or "too dear"
     std::optional<double> peak, peak_at; ///< [N] [m]
     std::optional<double> drop;          ///< of the first fall to 80 % of the peak [m]
-    double solver_error = 0.0;           ///< as the push itself reports it [-]
-    double residual = 0.0;               ///< of the energy [-]
+    /// Range of the drop as the push itself reports it [m]; no latest: beyond the push.
+    std::optional<double> earliest, latest;
+    double solver_error = 0.0; ///< as the push itself reports it [-]
+    double residual = 0.0;     ///< of the energy [-]
     long long steps = 0;
     double seconds = 0.0; ///< of one core
 };

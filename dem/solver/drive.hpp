@@ -29,8 +29,12 @@ class Drive {
         settling_ = !settled_ && step_ < options_.preload_steps;
     }
 
-    /// Begins the push: see Pace::begin.
-    double begin(const PushStart& start) { return speed_ = pace_.begin(start); }
+    /// Begins the push, whose whole way the drive knows: see Pace::begin.
+    double begin(PushStart start)
+    {
+        start.way = path_;
+        return speed_ = pace_.begin(start);
+    }
 
     /// Feels each step of the push.
     [[nodiscard]] Pace& pace() { return pace_; }

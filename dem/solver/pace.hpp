@@ -29,6 +29,7 @@ struct PushStart {
     double mass = 0.0;       ///< 2 kinetic energy / speed^2 of that motion [N step2/m]
     double most_force = 0.0; ///< size of what it can carry [N]
     double damping = 0.0;    ///< energy so far [J]
+    double way = 0.0;        ///< of the whole push, if nothing ends it before [m]
 };
 
 class Pace {
@@ -87,6 +88,7 @@ class Pace {
     SolverOptions options_;
     double fastest_;          ///< [m/step]
     double cruise_;           ///< speed of a wall in balance [m/step]
+    double first_way_;        ///< that the push has at least [m]
     double least_ = 0.0;      ///< cruising speed that the start of the push allows [m/step]
     double way_ = 0.0;        ///< of the push, in whole windows [m]
     double scale_ = 0.0;      ///< largest force so far [N]

@@ -140,4 +140,12 @@ LimitDisplacement drop_after_peak(const Curve& c, double share, Crossing crossin
     return {crossing_before(c, last, level), Reading::observed, {}};
 }
 
+DropRange drop_range(const Curve& c, double share, Crossing crossing, double error)
+{
+    if (!(error >= 0.0)) return {};
+    const double below_peak = std::nextafter(1.0, 0.0);
+    return {drop_after_peak(c, std::min(below_peak, share * (1.0 + error)), crossing),
+            drop_after_peak(c, std::max(0.0, share * (1.0 - error)), crossing)};
+}
+
 } // namespace fragility

@@ -105,4 +105,15 @@ constexpr double kUltimateShare = 0.80;
                                                 double share = kUltimateShare,
                                                 Crossing crossing = Crossing::first);
 
+/// Range of a drop whose peak is known to a share of it.
+struct DropRange {
+    LimitDisplacement earliest, latest; ///< [length]; not defined where the share is not known
+};
+
+/// The drop to `share` of a peak that is higher by `error`, and of one that is lower. A curve
+/// that touches the level and turns back has its two ends far apart.
+/// @param error of the peak force, as a share of it [-], >= 0; NaN: not known
+[[nodiscard]] DropRange drop_range(const Curve& curve, double share, Crossing crossing,
+                                   double error);
+
 } // namespace fragility

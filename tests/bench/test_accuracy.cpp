@@ -87,7 +87,10 @@ TEST_CASE(
     scenes[0].asked.solver_error = 0.02; // holds 1.5 %
     scenes[0].asked.drop = 0.0101;
     scenes[0].reference.drop = 0.0100;
+    scenes[0].asked.earliest = 0.0099;
+    scenes[0].asked.latest = 0.0102;
     scenes[1].asked.drop = 0.01; // the reference does not fall
+    scenes[1].asked.latest = 0.02;
     scenes.push_back(compared(50.0, 100.0));
     scenes[3].asked.peak = {};
     scenes[3].asked.outcome = "came down at once";
@@ -113,7 +116,8 @@ TEST_CASE(
     CHECK(number_in(all, 11) == Approx(200.0 / 3.0)); // reported
     CHECK(number_in(all, 12) == 2.0);                 // falls
     CHECK(number_in(all, 13) == Approx(50.0));        // within 2 %
-    CHECK(number_in(all, 14) == 1.0);                 // branches
+    CHECK(number_in(all, 14) == Approx(50.0));        // within the range reported
+    CHECK(number_in(all, 15) == 1.0);                 // branches
     CHECK(bench::worst_table(scenes).rows.size() == 3);
     CHECK(bench::apart_table(scenes).rows.size() == 3);
 }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace app {
@@ -27,7 +28,28 @@ namespace {
 
 bool is_inaccurate(const DriftWall& w, std::size_t state)
 {
-    return w.solver_error > 0.0 && w.limits[state] && !w.limits[state]->capped;
+    return w.most > 1.0 && w.limits[state] && !w.limits[state]->capped;
+}
+
+/// Displacements are wrong by the error of the force at least; the fall to the ultimate share
+/// by more, where the force falls slowly.
+void allow_for_error(const StudyWall& wall, DriftWall& w)
+{
+    w.least = std::max(0.0, 1.0 - wall.solver_error);
+    w.most = 1.0 + wall.solver_error;
+    const double at = wall.reading.ultimate.displacement;
+    if (!is_observed(wall.reading.ultimate) || !(at > 0.0)) return;
+    const fragility::DropRange& range = wall.reading.ultimate_range;
+    if (is_defined(range.earliest))
+        w.least = std::min(w.least, range.earliest.displacement / at);
+    if (is_observed(range.latest)) w.most = std::max(w.most, range.latest.displacement / at);
+    if (is_censored(range.latest)) w.most = std::numeric_limits<double>::infinity();
+}
+
+void multiply(double factor, fragility::Observation& limit)
+{
+    if (std::isfinite(factor)) limit.lower *= factor;
+    if (std::isfinite(limit.upper)) limit.upper *= factor;
 }
 
 } // namespace
@@ -40,10 +62,7 @@ std::vector<fragility::Observation> limits_at(const DriftGroup& group, std::size
         if ((mode >= 0 && w.mode != mode) || !w.limits[state]) continue;
         limits.push_back(*w.limits[state]);
         if (!is_inaccurate(w, state)) continue;
-        const double factor =
-            end == ErrorEnd::most ? 1.0 + w.solver_error : std::max(0.0, 1.0 - w.solver_error);
-        limits.back().lower *= factor;
-        if (std::isfinite(limits.back().upper)) limits.back().upper *= factor;
+        multiply(end == ErrorEnd::most ? w.most : w.least, limits.back());
     }
     return limits;
 }
@@ -155,8 +174,7 @@ DriftData drift_data(const StudyWalls& walls)
         for (const StudyWall& w : level.walls) {
             const auto mode = std::ranges::find(modes, mode_of(w));
             DriftWall wall{static_cast<int>(mode - modes.begin()), {}};
-            if (misses_accuracy(w.solver_error, walls.study))
-                wall.solver_error = w.solver_error;
+            if (misses_accuracy(w.solver_error, walls.study)) allow_for_error(w, wall);
             wall.piers = w.reading.governing;
             for (std::size_t s = 0; s < w.reading.limits.size(); ++s) {
                 auto o = fragility::observation(w.reading.limits[s],

@@ -25,9 +25,9 @@ struct DriftWall {
     int mode = -1; ///< index in DriftData::modes; -1: no modes
     /// One per limit state [unit of the data]; nothing: not defined on this curve.
     std::vector<std::optional<fragility::Observation>> limits;
-    /// Error by the speed of the solver's drive [-] of a wall that misses the accuracy of its
-    /// study; else 0.
-    double solver_error = 0.0;
+    /// A wall that misses the accuracy of its study may have limits that are so many times what
+    /// was read, by the error of the solver; `most` may be infinite.
+    double least = 1.0, most = 1.0;
     /// WallReading::governing: such a limit is no drift limit that is set, as it differs from
     /// wall to wall, and the error of the model does not concern it.
     std::vector<int> piers{};

@@ -1,5 +1,6 @@
 #include "app/study/answers/solver_error.hpp"
 
+#include "app/reading/wall_numbers.hpp"
 #include "app/study/answers/fragility_text.hpp"
 #include "app/text/words.hpp"
 #include "core/sample_quantile.hpp"
@@ -82,6 +83,29 @@ std::string speed_text(const StudyWalls& walls)
     if (e.unknown == 0) return {};
     return "Solver error: not known, because the walls were pushed by an earlier version of "
            "the program.";
+}
+
+/// "That leaves the displacement at 80 % of the peak known so far: median 2 %, ..."; empty
+/// where none is known.
+std::string fall_text(const StudyWalls& walls)
+{
+    std::vector<double> errors;
+    std::size_t beyond = 0;
+    for (const StudyLevel& level : walls.levels)
+        for (const StudyWall& w : level.walls) {
+            const double error = ultimate_error(first_way(w));
+            if (!std::isfinite(error)) continue;
+            errors.push_back(error);
+            beyond += ends_in_range(first_way(w)) ? 1 : 0;
+        }
+    if (errors.empty()) return {};
+    std::ranges::sort(errors);
+    return "It leaves an error in the displacement at " +
+           percent_text(walls.study.fragility.ultimate_share) + " of the peak: median " +
+           error_text(median_error(errors)) + ", " + upper_words(errors) +
+           (beyond > 0 ? ", more in " + std::to_string(beyond) + ", whose push ended there"
+                       : "") +
+           ".";
 }
 
 std::string points_text(const StudyWalls& walls)
@@ -191,7 +215,7 @@ std::string solver_error_text(const StudyWalls& walls)
 {
     std::string text;
     for (const std::string& sentence :
-         {speed_text(walls), points_text(walls), audit_text(walls)})
+         {speed_text(walls), fall_text(walls), points_text(walls), audit_text(walls)})
         if (!sentence.empty()) text += (text.empty() ? "" : " ") + sentence;
     return text;
 }

@@ -220,8 +220,8 @@ void read_piers(const Study& study, const dem::PierProbe& probe, const PierHisto
     wall.pier_balance = balance_of(probe.piers(), calm);
     if (study.load.pattern == dem::LoadPattern::body)
         wall.pier_balance.shear = std::numeric_limits<double>::quiet_NaN();
-    wall.reading =
-        read(curve, wall.mechanism, with_piers(rules.wall, wall.piers), wall.result.settled);
+    wall.reading = read(curve, wall.mechanism, with_piers(rules.wall, wall.piers),
+                        wall.result.settled, solver_error(wall));
 }
 
 } // namespace app

@@ -57,8 +57,8 @@ PushedWall read_wall(const Study& study, int level, dem::PushResult result)
     }
     w.mechanism = mechanism_of(w.result, w.loads.height);
     const bool came_down = w.result.outcome == dem::Outcome::lost_equilibrium;
-    w.reading =
-        read({w.displacement, w.force, came_down}, w.mechanism, rules, w.result.settled);
+    w.reading = read({w.displacement, w.force, came_down}, w.mechanism, rules, w.result.settled,
+                     solver_error(w));
     return w;
 }
 

@@ -95,8 +95,8 @@ StudyWall read_wall(const StudyWalls& all, const ReadingRules& rules, const Colu
     const bool settled = c.settled && row.counts[*c.settled] != 0;
     const fragility::Curve curve{row.curve.displacement, row.curve.force, came_down};
     const std::vector<PierReading> piers = piers_of_row(all, rules, row, curve);
-    w.reading =
-        read(curve, w.mechanism, piers.empty() ? rules : with_piers(rules, piers), settled);
+    w.reading = read(curve, w.mechanism, piers.empty() ? rules : with_piers(rules, piers),
+                     settled, w.solver_error);
     for (const PierReading& p : piers)
         w.piers.push_back({mode_text(p), p.drift, p.facts.slenderness, p.facts.normal_at_peak,
                            p.facts.shear_at_peak});

@@ -185,14 +185,15 @@ TEST_CASE("solver error: bounds of drifts hold wherever those of inaccurate wall
         return scenes::number_in(app::performance_table(other), 0, "median drift [%]");
     };
     const app::Number exact = median();
-    for (app::DriftWall& w : data.groups[0].walls) w.solver_error = 0.1;
+    for (app::DriftWall& w : data.groups[0].walls) w.least = 0.9, w.most = 1.1;
     const app::Number wide = median();
     CHECK(wide.value == exact.value);
     CHECK(wide.lower == Approx(interval_of(0.9).lower).epsilon(1e-9));
     CHECK(wide.upper == Approx(interval_of(1.1).upper).epsilon(1e-9));
     CHECK_THAT(scenes::cell(app::performance_table(data), 0, "note"),
                Contains("6 walls miss the accuracy asked of the solver"));
-    for (app::DriftWall& w : data.groups[0].walls) w.solver_error = 2.0; // nothing is known
+    for (app::DriftWall& w : data.groups[0].walls)
+        w.least = 0.0, w.most = 3.0; // nothing is known
     CHECK(median().lower == 0.0);
     CHECK(std::isinf(median().upper));
     for (app::DriftWall& w : data.groups[0].walls) w.limits[0]->capped = true; // set, not found
@@ -205,4 +206,33 @@ TEST_CASE("solver error: only walls that miss the accuracy move bounds", "[app][
     CHECK(app::inaccurate_walls(app::drift_data(walls).groups[0], 0) == 2);
     walls.study.solver.accuracy = 0.05;
     CHECK(app::inaccurate_walls(app::drift_data(walls).groups[0], 0) == 0);
+}
+
+TEST_CASE("solver error: a fall that the force touches opens the bounds of its drift",
+          "[app][solver_error]")
+{
+    app::StudyWalls walls = with_errors(12);
+    app::StudyWall& wall = walls.levels[0].walls[11]; // 1.2 %
+    fragility::DropRange& range = wall.reading.ultimate_range;
+    wall.reading.ultimate = {0.02, fragility::Reading::observed, {}};
+    range = {{0.018, fragility::Reading::observed, {}},
+             {0.05, fragility::Reading::observed, {}}};
+    const auto drift_wall = [&] { return app::drift_data(walls).groups[0].walls[11]; };
+    CHECK(drift_wall().least == Approx(0.9));
+    CHECK(drift_wall().most == Approx(2.5));
+    CHECK_THAT(app::solver_error_text(walls),
+               Contains(" It leaves an error in the displacement at 80 % of the peak: median "
+                        "1.5e+02 %, at most 1.5e+02 %."));
+    range.latest.reading = fragility::Reading::censored;
+    CHECK(std::isinf(drift_wall().most));
+    CHECK_THAT(app::solver_error_text(walls),
+               Contains("at most 1.5e+02 %, more in 1, whose push ended there."));
+    range = {{0.0199, fragility::Reading::observed, {}},
+             {0.0201, fragility::Reading::observed, {}}};
+    CHECK(drift_wall().least == Approx(1.0 - 0.012)); // the force is wrong by more
+    CHECK(drift_wall().most == Approx(1.0 + 0.012));
+    range.latest = {0.05, fragility::Reading::censored, {}};
+    const auto ends = app::limits_at(app::drift_data(walls).groups[0], 0, app::ErrorEnd::most);
+    CHECK(std::isinf(ends[11].upper));
+    CHECK(std::isfinite(ends[11].lower));
 }

@@ -1,5 +1,6 @@
 #include "app/input/prepared_study.hpp"
 #include "app/input/study_reading.hpp"
+#include "app/reading/wall_numbers.hpp"
 #include "app/reading/wall_reading.hpp"
 
 #include "app/input/keys/limit_state_text.hpp"
@@ -47,6 +48,8 @@ void check_equal(const app::WallReading& a, const app::WallReading& b)
     CHECK(a.stiffness == b.stiffness);
     CHECK(a.ultimate.displacement == b.ultimate.displacement);
     CHECK(a.ultimate.reading == b.ultimate.reading);
+    CHECK(app::same_limit(a.ultimate_range.earliest, b.ultimate_range.earliest));
+    CHECK(app::same_limit(a.ultimate_range.latest, b.ultimate_range.latest));
     CHECK(a.mode == b.mode);
     CHECK(a.dropped == b.dropped);
     CHECK(a.slid == b.slid);
@@ -72,6 +75,7 @@ void check_stored(const std::filesystem::path& file, const std::vector<std::stri
             const app::PushedWall fresh = scenes::push_one(
                 study, app::draw(plan, at, static_cast<int>(w.key.sample)), at);
             check_equal(fresh.reading, w.reading);
+            CHECK(is_defined(w.reading.ultimate_range.latest));
         }
 }
 
@@ -109,6 +113,29 @@ TEST_CASE("wall reading: peak, ultimate displacement and mode follow the rules o
     CHECK(app::read({kAt, kForce}, {0.9, 0.1, 0, 0}, rules()).mode ==
           dem::FailureMode::rocking);
     CHECK_FALSE(app::read({kAt, kForce}, {0.9, 0.1, 0, 0}, rules()).mode_so_far);
+}
+
+TEST_CASE("wall reading: the error of the peak is an error of the ultimate displacement",
+          "[app][wall_reading]")
+{
+    const auto read = [](double error, const app::ReadingRules& by) {
+        return app::read({kAt, kForce}, {0.9, 0.1, 0, 0}, by, false, error);
+    };
+    const app::WallReading w = read(0.01, rules());
+    const double lower = w.ultimate_range.earliest.displacement,
+                 upper = w.ultimate_range.latest.displacement, at = w.ultimate.displacement;
+    CHECK(lower < at);
+    CHECK(at < upper);
+    CHECK(app::ultimate_error(w) == std::max(at - lower, upper - at) / at);
+    CHECK(app::ultimate_error(read(0.0, rules())) == 0.0);
+    CHECK(std::isnan(app::ultimate_error(app::read({kAt, kForce}, {0.9, 0.1, 0, 0}, rules()))));
+    const app::ReadingRules never = rules({"fragility.ultimate_share=0.5"});
+    CHECK(std::isnan(app::ultimate_error(read(0.01, never))));
+    const app::WallReading open = read(0.5, rules());
+    CHECK(app::ends_in_range(open));
+    CHECK(app::ultimate_error(open) ==
+          Approx((kAt.back() - open.ultimate.displacement) / open.ultimate.displacement));
+    CHECK(app::worse_of(w, read(0.05, rules())).ultimate_range.earliest.displacement < lower);
 }
 
 TEST_CASE(

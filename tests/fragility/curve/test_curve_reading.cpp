@@ -119,6 +119,30 @@ TEST_CASE("curve reading: first and last crossing of a jerky curve are apart",
     CHECK(last.displacement == near(3.0 + 1.0 / 3.0));
 }
 
+TEST_CASE("curve reading: a drop lies where a peak that is wrong by its error puts it",
+          "[fragility][curve]")
+{
+    using fragility::drop_range;
+    const std::vector<double> x{0.0, 1.0, 2.0}, f{0.0, 100.0, 0.0};
+    const auto steady = drop_range({x, f}, 0.8, Crossing::first, 0.01);
+    CHECK(steady.earliest.displacement == near(1.192));
+    CHECK(steady.latest.displacement == near(1.208));
+    const std::vector<double> at{0.0, 1.0, 2.0, 3.0, 4.0}, touch{0.0, 100.0, 79.6, 90.0, 0.0};
+    const auto touching = drop_range({at, touch}, 0.8, Crossing::first, 0.01);
+    CHECK(touching.earliest.displacement == near(1.0 + 19.2 / 20.4));
+    CHECK(touching.latest.displacement == near(3.0 + 10.8 / 90.0));
+    const std::vector<double> stops{0.0, 1.0, 2.0}, above{0.0, 100.0, 79.5};
+    const auto beyond = drop_range({stops, above}, 0.8, Crossing::first, 0.01);
+    CHECK(is_observed(beyond.earliest));
+    CHECK(is_censored(beyond.latest));
+    const auto whole = drop_range({x, f}, 0.8, Crossing::first, 2.0); // nothing is known
+    CHECK(whole.earliest.displacement == near(1.0));
+    CHECK(whole.latest.displacement == near(2.0));
+    const double unknown = std::numeric_limits<double>::quiet_NaN();
+    CHECK_FALSE(is_defined(drop_range({x, f}, 0.8, Crossing::first, unknown).earliest));
+    CHECK_FALSE(is_defined(drop_range({x, f}, 0.8, Crossing::first, unknown).latest));
+}
+
 TEST_CASE("curve reading: a drop that recovers by the end is a first crossing but no last one",
           "[fragility][curve_reading]")
 {
