@@ -3,6 +3,7 @@
 #include "uq/surrogates/process_fit.hpp"
 
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 
@@ -11,12 +12,18 @@ namespace {
 
 bool is_constant(const Eigen::VectorXd& y) { return y.maxCoeff() - y.minCoeff() < 1e-9; }
 
-/// The surrogate with this process, and what it is worth on walls left out.
+double mean_square(const uq::ProcessLeaveOneOut& out)
+{
+    return out.residual.squaredNorm() / static_cast<double>(out.residual.size());
+}
+
+/// The surrogate with this process, and what processes like it are worth on walls that neither
+/// they nor their parameters have seen.
 AnswerSurrogate judged(uq::GaussianProcess process)
 {
-    const uq::ProcessLeaveOneOut out = uq::leave_one_out(process);
+    const uq::ProcessLeaveOneOut out = uq::held_out(process);
     const Eigen::VectorXd& y = process.data.y;
-    const double square = out.residual.squaredNorm() / static_cast<double>(y.size());
+    const double square = mean_square(out);
     AnswerSurrogate s;
     s.inflation = uq::inflation_of(out);
     s.left_out = std::sqrt(square);
@@ -38,25 +45,29 @@ AnswerPoints joined(const AnswerPoints& a, const AnswerPoints& b)
 
 AnswerSurrogate fit_answer(const AnswerPoints& points)
 {
-    std::optional<AnswerSurrogate> best;
     if (is_constant(points.y)) {
-        best.emplace();
-        best->constant = points.y.mean();
-        best->q2 = 1.0;
-        return *best;
+        AnswerSurrogate same;
+        same.constant = points.y.mean();
+        same.q2 = 1.0;
+        return same;
     }
+    std::optional<uq::GaussianProcess> best;
+    double least = std::numeric_limits<double>::infinity();
     std::string why;
     for (const auto kernel :
          {uq::ProcessKernel::matern_52, uq::ProcessKernel::squared_exponential})
         for (const auto trend : {uq::ProcessTrend::constant, uq::ProcessTrend::linear}) try {
-                AnswerSurrogate s = judged(
-                    uq::fit_process({points.u, points.y}, {.kernel = kernel, .trend = trend}));
-                if (!best || s.left_out < best->left_out) best = std::move(s);
+                uq::GaussianProcess one =
+                    uq::fit_process({points.u, points.y}, {.kernel = kernel, .trend = trend});
+                const double square = mean_square(uq::leave_one_out(one));
+                if (best && !(square < least)) continue;
+                least = square;
+                best = std::move(one);
             } catch (const std::invalid_argument& bad) { // no factor: another may have one
                 why = bad.what();
             }
     if (!best) throw std::invalid_argument(why);
-    return *best;
+    return judged(*std::move(best));
 }
 
 double noise_of(const AnswerSurrogate& a)

@@ -32,7 +32,8 @@ struct AnswerSurrogate {
     double q2 = 0.0;       ///< share of the variance of ln that it explains there [-]
 };
 
-/// The kernel and trend with the smallest error on walls left out.
+/// The kernel and trend with the smallest error on walls left out, judged by parts held out
+/// (uq::held_out).
 /// @throws std::invalid_argument if no process can be fitted
 [[nodiscard]] AnswerSurrogate fit_answer(const AnswerPoints& points);
 

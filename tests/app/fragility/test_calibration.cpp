@@ -14,6 +14,8 @@
 #include "tests/uq/latin_scene.hpp"
 #include "uq/designs/stream.hpp"
 
+#include "uq/surrogates/process_fit.hpp"
+
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -221,6 +223,9 @@ TEST_CASE("calibration: a surrogate says how far it is off on walls left out",
     const app::AnswerSurrogate jerky = app::fit_answer(points(40, 0.1));
     CHECK(jerky.left_out > 0.07);
     CHECK(std::sqrt(app::noise_of(jerky)) == Approx(0.1).epsilon(0.4));
+    // parameters that have seen the wall left out would promise too much
+    const app::AnswerSurrogate few = app::fit_answer(points(20, 0.1));
+    CHECK(few.inflation > 1.05 * uq::inflation_of(uq::leave_one_out(*few.process)));
     app::AnswerPoints same = points(40, 0.0);
     same.y.setConstant(2.5);
     const app::AnswerSurrogate constant = app::fit_answer(same);
