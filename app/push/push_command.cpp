@@ -128,8 +128,8 @@ std::string pier_text(const Study& study, const std::vector<PushedWall>& walls)
     return "\n" + as_text(without_details(pier_table(study, walls)), terminal_width());
 }
 
-/// "solver error of the peak force: at most 0.5 %, asked for: 1 %; of the ultimate displacement:
-/// at most 2 %"; empty where no wall gave a result.
+/// "solver error of the peak force: at most 0.5 %, asked for: 1 %; of the ultimate
+/// displacement: at most 2 %"; empty where no wall gave a result.
 std::string error_line(const Study& study, const std::vector<PushedWall>& walls)
 {
     double largest = -1.0, of_fall = -1.0;

@@ -139,12 +139,16 @@ TEST_CASE("summary: a number that was given has the digits that were given",
 
 TEST_CASE("summary: numbers are in the units of their keys", "[app][summary_json]")
 {
-    const Json j = summary(good_wall());
+    app::PushedWall wall = good_wall();
+    wall.reading.ultimate_range = {{0.0171, fragility::Reading::observed, {}},
+                                   {0.0180, fragility::Reading::observed, {}}};
+    const Json j = summary(wall);
     const auto value = [&j](const char* key) { return j.at(key).get<double>(); };
     CHECK(value("vertical_stress_MPa") == Approx(0.5).epsilon(1e-14));
     CHECK(value("peak_force_kN") == Approx(50.0).epsilon(1e-14));
     CHECK(value("peak_displacement_mm") == Approx(12.0).epsilon(1e-14));
     CHECK(value("ultimate_displacement_mm") == Approx(18.0).epsilon(1e-14));
+    CHECK(value("ultimate_error_percent") == Approx(5.0));
     CHECK(value("secant_stiffness_kN_per_mm") == Approx(25.0).epsilon(1e-14));
     CHECK(value("settlement_mm") == Approx(0.7).epsilon(1e-14));
     CHECK(value("load_height_m") == Approx(1.1).epsilon(1e-14));
@@ -240,6 +244,15 @@ TEST_CASE("summary: the solver's error is there in percent, and above the accura
                        "more than the 2 % asked for (solver.accuracy)") != std::string::npos);
     w.result.solver_error = 0.02;
     CHECK(remarks().find("solver.accuracy") == std::string::npos);
+    using fragility::Reading;
+    w.reading.ultimate_range = {{0.0171, Reading::observed, {}},
+                                {0.0196, Reading::observed, {}}};
+    CHECK(remarks().find("ultimate displacement may be") == std::string::npos); // 9 %
+    w.reading.ultimate_range.latest = {0.028, Reading::censored, {}};
+    CHECK(
+        remarks().find("the ultimate displacement may be anything between 17.10 and more than "
+                       "28.00 mm, because the force stays so close to 80 % of the peak") !=
+        std::string::npos);
 }
 
 TEST_CASE("summary: a wall whose numbers broke has null for every number of its run",
@@ -250,12 +263,12 @@ TEST_CASE("summary: a wall whose numbers broke has null for every number of its 
     CHECK_FALSE(has_broken_number(j));
     CHECK(j.at("outcome") == "not finite");
     CHECK(j.at("no_reading") == "the numbers of this run are not finite");
-    CHECK(null_keys(j) == std::set<std::string>{
-                              "peak_force_kN", "peak_displacement_mm",
-                              "collapse_displacement_mm", "peak_is_last_point",
-                              "ultimate_displacement_mm", "ultimate_drift_percent", "mode",
-                              "secant_stiffness_kN_per_mm", "settlement_mm", "energy_residual",
-                              "solver_error_percent", "points_error_percent"});
+    CHECK(null_keys(j) ==
+          std::set<std::string>{
+              "peak_force_kN", "peak_displacement_mm", "collapse_displacement_mm",
+              "peak_is_last_point", "ultimate_displacement_mm", "ultimate_drift_percent",
+              "mode", "secant_stiffness_kN_per_mm", "settlement_mm", "energy_residual",
+              "solver_error_percent", "ultimate_error_percent", "points_error_percent"});
     CHECK(null_keys(j.at("energy")).size() == 7);
     CHECK(null_keys(j.at("mechanism")) ==
           std::set<std::string>{"rotation_share", "sliding_share"});
@@ -402,7 +415,7 @@ TEST_CASE("summary: a wall that is not read has a mode", "[app][summary_json]")
           std::set<std::string>{"peak_force_kN", "peak_displacement_mm", "peak_is_last_point",
                                 "ultimate_displacement_mm", "ultimate_drift_percent",
                                 "collapse_displacement_mm", "secant_stiffness_kN_per_mm",
-                                "points_error_percent"});
+                                "ultimate_error_percent", "points_error_percent"});
     CHECK(j.at("ultimate_censored") == false);
     CHECK(j.at("mode") == "mixed");
 }
@@ -476,6 +489,7 @@ TEST_CASE("summary: what others read by name comes in a fixed order", "[app][sum
                                                "hand_checks",
                                                "energy_residual",
                                                "solver_error_percent",
+                                               "ultimate_error_percent",
                                                "points_error_percent",
                                                "energy",
                                                "settled_before_push",

@@ -22,10 +22,12 @@ double fastest(const dem::SolverOptions& o) { return 1e-3 / o.steps_per_mm; }
 
 /// A wall that is pushed: what it does in a step is set from outside.
 struct Wall {
-    explicit Wall(const dem::SolverOptions& options, double stiffness = kStiffness)
+    /// @param way of the whole push [m]
+    explicit Wall(const dem::SolverOptions& options, double stiffness = kStiffness,
+                  double way = 1.0)
         : pace(options)
     {
-        speed = pace.begin({stiffness, stiffness > 0.0 ? kMass : 0.0, kForce, 0.0});
+        speed = pace.begin({stiffness, stiffness > 0.0 ? kMass : 0.0, kForce, 0.0, way});
         felt.force = kForce;
     }
 
@@ -151,6 +153,22 @@ TEST_CASE(
     }
     CHECK(first - start == Approx(0.9 * kMost).epsilon(0.01));
     CHECK(steps - first == Approx(std::log(4.0) * kMost).epsilon(0.01));
+}
+
+TEST_CASE("pace: the slowest cruise gives a short push a quarter of the steps of a long one",
+          "[dem][pace]")
+{
+    constexpr double kWay = 0.002, kMost = 4000.0 / 0.05; // [m], [steps]
+    Wall wall(with_accuracy(0.05), 0.0, kWay);
+    wall.drag = kForce;
+    double way = 0.0, steps = 0.0, start = 0.0;
+    while (way < kWay && steps < 1e6) {
+        wall.step();
+        way += wall.speed;
+        ++steps;
+        if (way <= 0.5 * kWay) start = steps;
+    }
+    CHECK(steps - start == Approx(0.5 * 0.25 * kMost).epsilon(0.01));
 }
 
 TEST_CASE("pace: it gets its speed back once damping takes less", "[dem][pace]")
