@@ -79,6 +79,28 @@ std::optional<double> stiffness_of(const fragility::Curve& curve, double residua
     return fragility::secant_stiffness({own.displacement, own.force});
 }
 
+/// Least error of a fall over the accuracy asked. A free choice: docs/bench/accuracy/accuracy.md
+/// has the share of falls that such ranges hold.
+constexpr double kFallError = 2.0;
+
+/// Forces after the peak are known to the accuracy asked, whatever the peak tells; a fall that
+/// is sudden comes earlier or later by what its cause is wrong.
+fragility::DropRange ultimate_range(const fragility::Curve& curve,
+                                    const fragility::LimitDisplacement& ultimate,
+                                    const ReadingRules& rules, double solver_error)
+{
+    if (!(solver_error >= 0.0)) return {};
+    fragility::DropRange range =
+        fragility::drop_range(curve, rules.options.ultimate_share, rules.options.crossing,
+                              std::max(solver_error, rules.accuracy));
+    if (!is_observed(ultimate)) return range;
+    const double at = ultimate.displacement, least = kFallError * rules.accuracy;
+    double &earliest = range.earliest.displacement, &latest = range.latest.displacement;
+    earliest = std::min(earliest, at * std::max(0.0, 1.0 - least));
+    if (is_observed(range.latest)) latest = std::max(latest, at * (1.0 + least));
+    return range;
+}
+
 WallReading read_curve(const ToRead& side, bool came_down, const dem::Mechanism& mechanism,
                        const ReadingRules& rules, double solver_error)
 {
@@ -89,8 +111,7 @@ WallReading read_curve(const ToRead& side, bool came_down, const dem::Mechanism&
     if (!loaded) w.stiffness = stiffness_of(curve, side.first.residual);
     w.ultimate =
         fragility::drop_after_peak(curve, rules.options.ultimate_share, rules.options.crossing);
-    w.ultimate_range = fragility::drop_range(curve, rules.options.ultimate_share,
-                                             rules.options.crossing, solver_error);
+    w.ultimate_range = ultimate_range(curve, w.ultimate, rules, solver_error);
     w.dropped = is_observed(w.ultimate);
     w.collapse = fragility::drop_after_peak(curve, 0.0);
     const dem::FailureMode mode = code_mode(mechanism, w.dropped, rules.mode);

@@ -42,6 +42,7 @@ struct ReadingRules {
     double slenderness = 1.0; ///< H0 / D, as codes take it [-], > 0
     int direction = 1;        ///< of the push: 1 to the right, -1 to the left, 0: it turns back
     fragility::Side backbone = fragility::Side::mean; ///< of a push that turns back
+    double accuracy = 0.0; ///< of forces, that the solver was asked for [-]
     /// Whether the drift limits of codes are those of piers; else they follow from height and
     /// mode.
     bool by_piers = false;
@@ -64,7 +65,11 @@ struct WallReading {
     std::optional<fragility::Peak> peak; ///< [N] [m]
     std::optional<double> stiffness; ///< secant at fragility::kSecantShare of the peak [N/m]
     fragility::LimitDisplacement ultimate; ///< [m]
-    fragility::DropRange ultimate_range;   ///< of `ultimate`, by the solver error [m]
+    /// Range of `ultimate` [m]: the falls to the ultimate share of a peak that is wrong by its
+    /// solver error, or by the accuracy asked where that is larger, and at least twice the
+    /// accuracy of `ultimate` to each side. It does not hold a wall that would fall on another
+    /// branch.
+    fragility::DropRange ultimate_range;
     fragility::LimitDisplacement collapse; ///< no force left, or the wall came down [m]
     std::vector<fragility::LimitDisplacement> limits; ///< [m], in the order of state_names
     /// By limit state the pier, from 1, whose drift limit it is, or whose it is a share of; 0:

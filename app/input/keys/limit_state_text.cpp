@@ -187,6 +187,7 @@ ReadingRules reading_rules(const Study& study)
     rules.slenderness = shear_span(study) / wall_length(study);
     rules.direction = push_way(study).direction;
     rules.backbone = f.backbone;
+    rules.accuracy = study.solver.accuracy;
     read_at(study.source, "fragility.user_states", [&] {
         static_cast<void>(parse_user_states(f.user_states)); // also where no set asks for them
         for (const std::string_view name : split(f.limit_states, ","))

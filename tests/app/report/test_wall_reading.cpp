@@ -13,7 +13,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -115,27 +114,32 @@ TEST_CASE("wall reading: peak, ultimate displacement and mode follow the rules o
     CHECK_FALSE(app::read({kAt, kForce}, {0.9, 0.1, 0, 0}, rules()).mode_so_far);
 }
 
-TEST_CASE("wall reading: the error of the peak is an error of the ultimate displacement",
+TEST_CASE("wall reading: the error of the forces is an error of the ultimate displacement",
           "[app][wall_reading]")
 {
     const auto read = [](double error, const app::ReadingRules& by) {
         return app::read({kAt, kForce}, {0.9, 0.1, 0, 0}, by, false, error);
     };
-    const app::WallReading w = read(0.01, rules());
-    const double lower = w.ultimate_range.earliest.displacement,
-                 upper = w.ultimate_range.latest.displacement, at = w.ultimate.displacement;
-    CHECK(lower < at);
-    CHECK(at < upper);
-    CHECK(app::ultimate_error(w) == std::max(at - lower, upper - at) / at);
-    CHECK(app::ultimate_error(read(0.0, rules())) == 0.0);
+    const app::WallReading w = read(0.05, rules()); // 2 kN, which is 1 mm of 15
+    CHECK(w.ultimate_range.earliest.displacement == Approx(0.014));
+    CHECK(w.ultimate_range.latest.displacement == Approx(0.016));
+    CHECK(app::ultimate_error(w) == Approx(1.0 / 15.0));
+    CHECK(app::ultimate_error(read(0.0, rules())) == Approx(0.02)); // twice the accuracy
     CHECK(std::isnan(app::ultimate_error(app::read({kAt, kForce}, {0.9, 0.1, 0, 0}, rules()))));
     const app::ReadingRules never = rules({"fragility.ultimate_share=0.5"});
-    CHECK(std::isnan(app::ultimate_error(read(0.01, never))));
+    CHECK(std::isnan(app::ultimate_error(read(0.05, never))));
     const app::WallReading open = read(0.5, rules());
     CHECK(app::ends_in_range(open));
     CHECK(app::ultimate_error(open) ==
           Approx((kAt.back() - open.ultimate.displacement) / open.ultimate.displacement));
-    CHECK(app::worse_of(w, read(0.05, rules())).ultimate_range.earliest.displacement < lower);
+    CHECK(app::worse_of(read(0.01, rules()), w).ultimate_range.earliest.displacement ==
+          Approx(0.014));
+    // forces of 80.8 and 79.2 % of the peak, by the accuracy asked
+    const std::vector<double> at{0.0, 0.01, 0.02, 0.03}, slow{0.0, 100e3, 80.5e3, 70e3};
+    const fragility::DropRange range =
+        app::read({at, slow}, {0.9, 0.1, 0, 0}, rules(), false, 0.005).ultimate_range;
+    CHECK(range.earliest.displacement == Approx(0.02 - 0.01 * 0.3 / 19.5));
+    CHECK(range.latest.displacement == Approx(0.02 + 0.01 * 1.3 / 10.5));
 }
 
 TEST_CASE(
