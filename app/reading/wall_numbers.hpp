@@ -107,7 +107,7 @@ inline constexpr std::array kWallNumbers = {
         [](const WallReading& w, double height) { return fragility::drift(displacement_of(w.ultimate), height); }, nullptr, never_fell, true},
     WallNumber{"ultimate_censored", "", kNoUnit, 0, Kept::no, "1: the ultimate displacement is only a lower bound",
         [](const WallReading& w, double) { return never_fell(w) ? 1.0 : 0.0; }},
-    WallNumber{"ultimate_error", "", kPercent, 2, Kept::no, "error of the ultimate displacement, by forces that are wrong by the solver error or the accuracy asked: the farther end of its range; a wall may still fall on another branch",
+    WallNumber{"ultimate_error", "", kPercent, 2, Kept::no, "error of the ultimate displacement, if the peak force is wrong by its solver error, and at least twice the accuracy asked: the farther end of its range; a wall may still fall on another branch",
         [](const WallReading& w, double) { return ultimate_error(w); }, nullptr, ends_in_range},
     WallNumber{"collapse_displacement", "", kLengthUnit, 2, Kept::no, "of the load line where no force is left or the wall came down",
         [](const WallReading& w, double) { return displacement_of(w.collapse); }, nullptr, never_collapsed, true},

@@ -79,20 +79,18 @@ std::optional<double> stiffness_of(const fragility::Curve& curve, double residua
     return fragility::secant_stiffness({own.displacement, own.force});
 }
 
-/// Least error of a fall over the accuracy asked. A free choice: docs/bench/accuracy/accuracy.md
-/// has the share of falls that such ranges hold.
+/// Least error of a fall over the accuracy asked. A free choice: the page
+/// docs/bench/accuracy/accuracy.md has the share of falls that such ranges hold.
 constexpr double kFallError = 2.0;
 
-/// Forces after the peak are known to the accuracy asked, whatever the peak tells; a fall that
-/// is sudden comes earlier or later by what its cause is wrong.
+/// A fall that is sudden comes earlier or later by what its cause is wrong.
 fragility::DropRange ultimate_range(const fragility::Curve& curve,
                                     const fragility::LimitDisplacement& ultimate,
                                     const ReadingRules& rules, double solver_error)
 {
     if (!(solver_error >= 0.0)) return {};
-    fragility::DropRange range =
-        fragility::drop_range(curve, rules.options.ultimate_share, rules.options.crossing,
-                              std::max(solver_error, rules.accuracy));
+    fragility::DropRange range = fragility::drop_range(curve, rules.options.ultimate_share,
+                                                       rules.options.crossing, solver_error);
     if (!is_observed(ultimate)) return range;
     const double at = ultimate.displacement, least = kFallError * rules.accuracy;
     double &earliest = range.earliest.displacement, &latest = range.latest.displacement;

@@ -66,9 +66,8 @@ struct WallReading {
     std::optional<double> stiffness; ///< secant at fragility::kSecantShare of the peak [N/m]
     fragility::LimitDisplacement ultimate; ///< [m]
     /// Range of `ultimate` [m]: the falls to the ultimate share of a peak that is wrong by its
-    /// solver error, or by the accuracy asked where that is larger, and at least twice the
-    /// accuracy of `ultimate` to each side. It does not hold a wall that would fall on another
-    /// branch.
+    /// solver error, and at least twice the accuracy of `ultimate` to each side. It does not
+    /// hold a wall that would fall on another branch.
     fragility::DropRange ultimate_range;
     fragility::LimitDisplacement collapse; ///< no force left, or the wall came down [m]
     std::vector<fragility::LimitDisplacement> limits; ///< [m], in the order of state_names
