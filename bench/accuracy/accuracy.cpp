@@ -213,9 +213,7 @@ std::string opening(const Request& request)
            "the true one; a true one below " +
            app::number(100.0 * bench::kTooSmall, 3) +
            " % counts as reported, since the reference is not known better. Fall reported: "
-           "share "
-           "of "
-           "falls whose reference lies in the range that the push gives its ultimate "
+           "share of falls whose reference lies in the range that the push gives its ultimate "
            "displacement; a wall that does not fall may fall beyond its push.";
 }
 

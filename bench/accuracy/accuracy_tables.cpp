@@ -104,7 +104,7 @@ namespace {
 struct GroupSums {
     std::vector<double> errors; ///< of the peak, without sign [%]
     std::size_t scenes = 0, lost = 0, within_1 = 0, within_3 = 0, held = 0;
-    std::size_t falls = 0, branches = 0, near = 0, falls_held = 0;
+    std::size_t falls = 0, branches = 0, near = 0, ranges = 0, falls_held = 0;
     double seconds = 0.0, steps = 0.0;
 
     void add(const ComparedScene& c)
@@ -122,6 +122,7 @@ struct GroupSums {
         branches += is_branch(c);
         falls += drop || is_branch(c);
         near += drop && std::abs(*drop) <= 0.02;
+        ranges += c.asked.earliest.has_value();
         falls_held += (drop || is_branch(c)) && is_drop_held(c);
     }
 };
@@ -142,7 +143,7 @@ app::Row error_row(const std::string& group, const std::string& what, const Scen
     row.push_back(share(s.held, s.errors.size()));
     row.push_back(number(static_cast<double>(s.falls), 0));
     row.push_back(share(s.near, s.falls));
-    row.push_back(share(s.falls_held, s.falls));
+    row.push_back(share(s.falls_held, s.ranges > 0 ? s.falls : 0)); // earlier ones had none
     row.push_back(number(static_cast<double>(s.branches), 0));
     row.push_back(number(1e-6 * s.steps, 2));
     row.push_back(number(s.seconds, 1));

@@ -85,7 +85,7 @@ std::string speed_text(const StudyWalls& walls)
            "the program.";
 }
 
-/// "That leaves the displacement at 80 % of the peak known so far: median 2 %, ..."; empty
+/// "It leaves an error in the displacement at 80 % of the peak: median 2 %, ..."; empty
 /// where none is known.
 std::string fall_text(const StudyWalls& walls)
 {
