@@ -15,7 +15,7 @@ constexpr std::size_t kPoints = 5; // over which a peak is read
 // accuracy.
 constexpr double kWider = 10.0 / 3.0;
 // Local damping takes most of what rings, and so less from the force, than combined damping
-// does. The factor holds nine of ten of the paper's walls.
+// does. With the factor the estimate holds the error of nine of ten of 40 walls of the paper.
 constexpr double kWiderLocal = 0.25;
 
 double median(std::vector<double> all)
