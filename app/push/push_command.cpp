@@ -30,6 +30,7 @@
 #include "app/push/summary_json.hpp"
 #include "app/push/test_curve.hpp"
 #include "app/reading/points_error.hpp"
+#include "app/reading/wall_numbers.hpp"
 #include "app/study/answers/solver_error.hpp"
 #include "app/study/other_way.hpp"
 #include "app/study/pushed/drawn_wall.hpp"
@@ -133,17 +134,20 @@ std::string pier_text(const Study& study, const std::vector<PushedWall>& walls)
 std::string error_line(const Study& study, const std::vector<PushedWall>& walls)
 {
     double largest = -1.0, of_fall = -1.0;
+    bool beyond = false; // a range of the ultimate displacement goes on beyond the push
     for (const PushedWall& w : walls) {
         if (const double error = solver_error(w); error > largest) largest = error;
-        if (const double error = ultimate_error(w.reading); error > of_fall) of_fall = error;
+        const double error = ultimate_error(w.reading);
+        if (error > of_fall) of_fall = error;
+        beyond = beyond || (error >= 0.0 && ends_in_range(w.reading));
     }
     if (largest < 0.0) return {};
     const std::string at_most = walls.size() > 1 ? "at most " : "";
     return "solver error of the peak force: " + at_most + error_text(largest) +
            ", asked for: " + error_text(study.solver.accuracy) +
-           (of_fall < 0.0
-                ? ""
-                : "; of the ultimate displacement: " + at_most + error_text(of_fall)) +
+           (of_fall < 0.0 ? ""
+                          : "; of the ultimate displacement: " +
+                                (beyond ? "at least " : at_most) + error_text(of_fall)) +
            "\n";
 }
 

@@ -30,10 +30,10 @@ constexpr double kFaster = 1.5, kSlower = 0.5;
 // The cruising speed is at least this share of the one at the start: slower, a wall that moves
 // by itself would seem to be dragged. And it is so fast that the first way takes so many steps,
 // over the accuracy, at most, and each e-fold of it after that as many: a push does not know
-// where it will end, but it ends within its whole way: a shorter one takes a quarter of them.
+// where it will end. A push whose whole way is short has kShortWay times that as first way.
 constexpr double kSlowest = 0.3, kMostSteps = 4e3;
 constexpr double kFirstWay = 0.03; // [m], to which the walls of the paper are pushed
-constexpr double kShortWay = 4.0;  // whole ways; a free choice, accuracy against steps
+constexpr double kShortWay = 4.0;  // a free choice: more of it is faster and less accurate
 // A wall that moves by itself may seem to be heavy; at most so many times as in its elastic
 // motion.
 constexpr double kMostMass = 100.0;

@@ -103,7 +103,8 @@ std::string fall_text(const StudyWalls& walls)
     return "It leaves an error in the displacement at " +
            percent_text(walls.study.fragility.ultimate_share) + " of the peak: median " +
            error_text(median_error(errors)) + ", " + upper_words(errors) +
-           (beyond > 0 ? ", more in " + std::to_string(beyond) + ", whose push ended there"
+           (beyond > 0 ? "; the range of " + counted(beyond, "wall", "walls") +
+                             " goes on beyond the end of the push"
                        : "") +
            ".";
 }

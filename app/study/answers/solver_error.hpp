@@ -65,9 +65,9 @@ struct AuditDifferences {
 [[nodiscard]] double median_error(const std::vector<double>& sorted);
 
 /// "Solver error: median 0.1 %, 95 % of walls below 0.6 %, 2 of 50 walls above the 1 % asked
-/// for (0.50 MPa sample 3, ...).", the same of the error by contact points, and, of an audit, a
-/// further sentence. Says so where the solver error is not known; empty where no wall gave a
-/// result.
+/// for (0.50 MPa sample 3, ...).", the error that it leaves in the ultimate displacement, the
+/// error by contact points in the same words, and, of an audit, a further sentence. Says so
+/// where the solver error is not known; empty where no wall gave a result.
 [[nodiscard]] std::string solver_error_text(const StudyWalls& walls);
 
 } // namespace app

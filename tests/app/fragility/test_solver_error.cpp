@@ -226,7 +226,8 @@ TEST_CASE("solver error: a fall that the force touches opens the bounds of its d
     range.latest.reading = fragility::Reading::censored;
     CHECK(std::isinf(drift_wall().most));
     CHECK_THAT(app::solver_error_text(walls),
-               Contains("at most 1.5e+02 %, more in 1, whose push ended there."));
+               Contains("at most 1.5e+02 %; the range of 1 wall goes on beyond the end of "
+                        "the push."));
     range = {{0.0199, fragility::Reading::observed, {}},
              {0.0201, fragility::Reading::observed, {}}};
     CHECK(drift_wall().least == Approx(1.0 - 0.012)); // the force is wrong by more
