@@ -310,6 +310,30 @@ TEST_CASE("push command: a wall that failed has its reason on stderr, however qu
           "drystone: 0.50 MPa: the wall failed: solver.most_steps was not enough\n");
 }
 
+TEST_CASE(
+    "push command: the error of an ultimate displacement is a least error where its range "
+    "goes on beyond the push",
+    "[app][push_command]")
+{
+    const auto error_line = [](const std::string& end) {
+        const scenes::TemporaryFolder folder;
+        const std::string text =
+            push("wall.ini", folder.path / "out",
+                 {"solver.kinematics=finite", "solver.fidelity=rigid", "unit.cracks=none",
+                  "solver.contact_points=2", "solver.accuracy=10 %", "load.stop_below=0.5",
+                  "load.max_displacement=" + end})
+                .terminal;
+        const std::size_t from = text.find("solver error of the peak force");
+        REQUIRE(from != std::string::npos);
+        return text.substr(from, text.find('\n', from) - from);
+    };
+    // The wall rocks; its force comes down to 80 % of the peak at 104 mm.
+    const std::string known = error_line("150 mm"), open = error_line("110 mm");
+    CHECK(known.find("; of the ultimate displacement: ") != std::string::npos);
+    CHECK(known.find("at least") == std::string::npos);
+    CHECK(open.find("; of the ultimate displacement: at least ") != std::string::npos);
+}
+
 TEST_CASE("push command: one thread and two give the same bits", "[app][push_command]")
 {
     const scenes::TemporaryFolder folder;
