@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -98,10 +99,22 @@ std::string doubted_text(const fragility::DoubtedLimit& limit)
 }
 
 /// Where no law can be fitted to the walls: the bound of their median, or that they are too
-/// few for one.
-std::string bound_text(const fragility::MedianBound& bound)
+/// few for one and the drifts of all of them: "too few walls: 0.35 to 0.61", "0.35 and more"
+/// where a wall stood.
+/// @param factor of the model, its median
+std::string bound_text(const fragility::MedianBound& bound,
+                       const std::vector<fragility::Observation>& walls, double factor)
 {
-    return bound.median_bounded ? above(bound.median_above) : "too few walls";
+    if (bound.median_bounded) return above(bound.median_above);
+    double least = std::numeric_limits<double>::infinity(), most = 0.0;
+    for (const fragility::Observation& w : walls) {
+        least = std::min(least, w.lower);
+        most = std::max(most, w.upper);
+    }
+    const std::string words = "too few walls: ", low = fixed(factor * least, kDriftDecimals);
+    if (std::isinf(most)) return words + low + " and more";
+    const std::string high = fixed(factor * most, kDriftDecimals);
+    return words + low + (high == low ? "" : " to " + high);
 }
 
 std::string drift_text(const DriftData& data, std::size_t group, std::size_t state)
@@ -117,7 +130,8 @@ std::string drift_text(const DriftData& data, std::size_t group, std::size_t sta
     const auto& drifts = limits.quantiles.at;
     std::string median;
     if (drifts.empty() || (cap.empty() && !identified(limits)))
-        median = bound_text(limits.law.bound);
+        median = bound_text(limits.law.bound, observed,
+                            pier.empty() ? data.groups[group].model.factor.median : 1.0);
     else if (!drifts[kMedian].value)
         median = above(drifts[kMedian].interval.lower);
     else if (std::ranges::count(caps, *drifts[kMedian].value, &fragility::Cap::value) == 0)

@@ -223,8 +223,29 @@ TEST_CASE("model doubt: of walls that all stood the bound is times the factor's 
     for (app::StudyLevel& level : walls.levels) level.walls.resize(4); // 95 % needs five
     const app::DriftData few = app::drift_data(walls);
     CHECK(cell(app::answer_table(walls, few), 0, "paper ultimate drift [%]") ==
-          "too few walls");
+          "too few walls: 0.28 and more");
     CHECK(cell(app::drift_doubt_table(few), 0, "median drift [%]").empty());
+}
+
+TEST_CASE("model doubt: the answer of few walls that all fell is what they did, times the "
+          "factor's median",
+          "[app][model_doubt]")
+{
+    app::StudyWalls walls = scenes::study_walls(2);
+    walls.study.fragility.model_factor = "lognormal(median 0.8, sigma_log 0.4)";
+    walls.height = 1.0;
+    for (app::StudyLevel& level : walls.levels)
+        for (std::size_t i = 0; i < level.walls.size(); ++i)
+            level.walls[i].reading.limits.assign(
+                level.walls[i].reading.limits.size(),
+                {i == 0 ? 0.005 : 0.003, fragility::Reading::observed, {}});
+    const auto answer = [&] {
+        return cell(app::answer_table(walls, app::drift_data(walls)), 0,
+                    "paper ultimate drift [%]");
+    };
+    CHECK(answer() == "too few walls: 0.24 to 0.40");
+    for (app::StudyLevel& level : walls.levels) level.walls.resize(1);
+    CHECK(answer() == "too few walls: 0.40");
 }
 
 TEST_CASE("model doubt: two walls have no scatter that is known, and no 16 and 84 %",
