@@ -8,9 +8,9 @@ namespace dem {
 namespace {
 
 constexpr long long kWindows = 5;
-// Against the motion that is borne (choices): a swing of a thousandth of the height about a
-// place that is the same within a hundred thousandth, where a ten thousandth is borne.
-constexpr double kSwing = 10.0, kShift = 0.1;
+// Against the motion that is borne (choices): a swing of two thousandths of the height about a
+// place that is the same within three hundred thousandths, where a ten thousandth is borne.
+constexpr double kSwing = 20.0, kShift = 0.3;
 
 } // namespace
 
