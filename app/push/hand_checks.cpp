@@ -138,6 +138,16 @@ void add_wide_fall(const Study& study, const PushedWall& w, std::vector<std::str
                       "smaller solver.accuracy may narrow it");
 }
 
+/// The force of a body push means little without the weight that it is a share of.
+void add_load_factor(const PushedWall& w, std::vector<std::string>& remarks)
+{
+    if (w.loads.pattern != dem::LoadPattern::body || !w.reading.peak) return;
+    remarks.push_back("the peak force is " +
+                      never_rounded_away(peak_force(w.reading) / w.result.weight, 3) +
+                      " times the weight that is pushed (load factor); displacements are means "
+                      "over the wall by weight");
+}
+
 /// Faces that rock have few contact points under pressure.
 void add_few_points(const Study& study, const PushedWall& w, std::vector<std::string>& remarks)
 {
@@ -237,6 +247,7 @@ HandChecks hand_checks(const Study& study, const dem::Layout& layout, const Push
     HandChecks h = closed_form ? limits_of(study, w) : loads_alone(study, w, layout);
     if (!dem::failed(w.result.outcome))
         h.toe_stress = dem::toe_stress(w.result.at_end, study.wall.base);
+    add_load_factor(w, h.remarks);
     add(no_limit_remark(study, w.reading), h.remarks);
     add(no_yield_remark(w.reading), h.remarks);
     add(other_way_remark(study, layout, w), h.remarks);

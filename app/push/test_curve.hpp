@@ -12,8 +12,9 @@ struct TestCurve {
         force; ///< [m] [N], as measured, equally long, two or more
 };
 
-/// Reads a CSV with the columns displacement [mm] and force [kN], or displacement_mm and
-/// force_kN, as capacity.csv has them; further columns are left alone.
+/// Reads a CSV with the columns displacement_mm and force_kN, as capacity.csv has them, also
+/// written "displacement [mm]" or "displacement (mm)", in mm, cm or m, and in kN, N or MN.
+/// Further columns are left alone.
 /// @throws ConfigError naming the line
 [[nodiscard]] TestCurve read_test_curve(const std::string& path);
 

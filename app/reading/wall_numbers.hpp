@@ -120,7 +120,7 @@ inline constexpr std::array kWallNumbers = {
         [](const WallSource& w) { return w.mechanism.rotation_share; }),
     fact_of("sliding_share", kNoUnit, 2, "slip of the closed bed joints, summed over the courses / displacement",
         [](const WallSource& w) { return w.mechanism.sliding_share; }),
-    fact_of("turning_share", kNoUnit, 2, "rotation of the blocks x height / displacement: 1 too for piers that rock and for a wall in double bending",
+    fact_of("turning_share", kNoUnit, 2, "rotation of the blocks x height / displacement: 1 too for piers that rock and for a wall in double bending; to either side in an arch on its hinges",
         [](const WallSource& w) { return w.mechanism.turning_share; }),
     fact_of("work", kEnergyUnit, 2, "of all loads, at the end", [](const WallSource& w) { return w.run().energy.work; }),
     fact_of("elastic_energy", kEnergyUnit, 2, "of blocks and contacts, at the end", [](const WallSource& w) { return w.run().energy.elastic; }),

@@ -64,6 +64,7 @@ std::string subtitle(const Study& study, const PushedWall& w)
     const MaterialPreset* const material =
         find_material(kMaterialNames.at(static_cast<std::size_t>(study.geometry.material)));
     if (material != nullptr) text += ", " + std::string(material->meaning);
+    if (!study.beam.present) return text + ", without a load on its top";
     return text + ", " + stress_text(w.vertical_stress) + " of vertical stress on its top";
 }
 
@@ -193,6 +194,8 @@ Sheet sheet_of(const Study& study, const dem::Layout& layout, const PushedWall& 
     s.title = title_of(command);
     s.subtitle = subtitle(study, w);
     s.answer = answer_sentences(study, layout, w);
+    s.moves = moving_part(study);
+    s.drift_words = drift_words(study);
     s.drawing = drawing_of(study);
     s.curve = line_chart(sheet_curve(study, w));
     s.mechanism = mechanism_of(study, layout, w);

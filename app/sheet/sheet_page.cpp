@@ -85,8 +85,8 @@ std::string limits_table(const Sheet& s)
     const bool spread = !s.spread_head.empty();
     std::string body =
         heading("Limits, and the rule that governs each") +
-        "<table><tr><th>limit state</th><th class=\"n\">top moves [mm]</th><th "
-        "class=\"n\">drift [%]</th>" +
+        "<table><tr><th>limit state</th><th class=\"n\">" + xml_escape(s.moves) +
+        " moves [mm]</th><th class=\"n\">drift [%]</th>" +
         (spread ? "<th class=\"n spread\">" + xml_escape(s.spread_head) + "</th>" : "") +
         "<th>rule</th></tr>";
     const std::size_t shown = std::min(s.limits.size(), kMostSheetLimits);
@@ -94,9 +94,8 @@ std::string limits_table(const Sheet& s)
     if (shown < s.limits.size())
         body += "<tr><td colspan=\"5\">and " + std::to_string(s.limits.size() - shown) +
                 " more, which push writes to limit_states.md</td></tr>";
-    body +=
-        "</table><p class=\"small\">Drift: how far the top moves sideways, in percent of the "
-        "height of the load. &gt;: not reached when the push ended.</p>";
+    body += "</table><p class=\"small\">" + xml_escape(s.drift_words) +
+            " &gt;: not reached when the push ended.</p>";
     for (const std::string& text : s.piers)
         body += "<p class=\"small\">" + xml_escape(text) + "</p>";
     return body;
@@ -236,7 +235,7 @@ std::string sheet_page(const Sheet& s)
     page += box(kLeft, kTop - kHeading, 66.0, kHeading + tall,
                 heading("The wall") + fitted_picture(s.drawing, 66.0, tall));
     page += box(80.0, kTop - kHeading, kCurve, kHeading + tall,
-                heading("Force over movement of the top, with all limits") +
+                heading("Force over movement of the " + s.moves + ", with all limits") +
                     fitted_picture(s.curve, kCurve, tall));
     const double middle = kTop + tall + kGap;
     const Lower lower = lower_half(s, kWide, kEnd - middle);

@@ -18,6 +18,8 @@ struct SheetLimit {
 struct Sheet {
     std::string title, subtitle;
     std::vector<std::string> answer;       ///< sentences
+    std::string moves = "top";             ///< whose movement the displacements are
+    std::string drift_words;               ///< a sentence that defines the drift
     std::string drawing, curve, mechanism; ///< SVG
     std::vector<SheetLimit> limits;
     std::string

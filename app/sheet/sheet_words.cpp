@@ -25,6 +25,15 @@
 namespace app {
 namespace {
 
+bool by_body_forces(const Study& study) { return study.load.pattern == dem::LoadPattern::body; }
+
+/// The height that drifts are shares of.
+std::string_view height_words(const Study& study)
+{
+    return by_body_forces(study) ? "the height of its centre of gravity"
+                                 : "the height of the load";
+}
+
 std::string kilonewtons(double force) { return never_rounded_away(force * 1e-3, 1) + " kN"; }
 
 /// " and by 0.24 % by the number of contact points"; empty where that is not known.
@@ -88,8 +97,8 @@ std::string limit_sentence(const Study& study, const PushedWall& w)
     const std::string left = percent_text(study.fragility.ultimate_share);
     const std::string at =
         millimetres(limit.displacement) + ", " +
-        fixed(fragility::percent_drift(limit.displacement, w.loads.height), 2) +
-        " % of its height";
+        fixed(fragility::percent_drift(limit.displacement, w.loads.height), 2) + " % of " +
+        std::string(height_words(study));
     const std::string way = way_words(study, by_other) + " ";
     if (is_observed(limit))
         return sentence(way + "its force is down to " + left + " of the peak at " + at);
@@ -186,6 +195,17 @@ std::string spread_sentence(const StudyWalls& stored, std::size_t level)
 }
 
 } // namespace
+
+std::string moving_part(const Study& study) { return by_body_forces(study) ? "wall" : "top"; }
+
+std::string drift_words(const Study& study)
+{
+    const std::string_view moves = by_body_forces(study)
+                                       ? "the wall moves sideways, as a mean by weight"
+                                       : "the top moves sideways";
+    return "Drift: how far " + std::string(moves) + ", in percent of " +
+           std::string(height_words(study)) + ".";
+}
 
 std::vector<std::string> answer_sentences(const Study& study, const dem::Layout& layout,
                                           const PushedWall& wall)

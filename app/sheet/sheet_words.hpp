@@ -20,6 +20,13 @@ struct Assumption {
     std::string how_much; ///< a sentence; empty: not measured
 };
 
+/// Part of the wall whose movement is the displacement of its push: "top", or "wall" (its mean
+/// by weight) under body forces.
+[[nodiscard]] std::string moving_part(const Study& study);
+
+/// A sentence that defines the drift.
+[[nodiscard]] std::string drift_words(const Study& study);
+
 /// A few sentences that answer how much the wall carries, how far it goes, and how it fails.
 [[nodiscard]] std::vector<std::string>
 answer_sentences(const Study& study, const dem::Layout& layout, const PushedWall& wall);

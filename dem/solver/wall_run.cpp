@@ -164,6 +164,7 @@ template <class Real> void WallRun::begin_push(const WallState<Real>& state, int
     result_.residual = std::max(result_.residual, std::abs(e.residual()));
     const double force = dem::lane(state.top_force, lane);
     result_.curve.push_back({0.0, force, dem::lane(state.base_shear, lane), 0.0, e});
+    if (drive_.turns_back()) recorder_.begin_way();
     result_.settled = drive_.settled();
     Snapshot s = take_snapshot(task_->model, task_->tables, state, lane, 0.0, force);
     result_.settlement = settlement_of(s);
@@ -211,8 +212,8 @@ void WallRun::keep(Snapshot&& snapshot)
 }
 
 /// Means over intervals do not reach the turn, nor the end of a push that turns back. The last
-/// two of this way tell the point there; the forces of the moment itself ring with the drive
-/// that stops.
+/// parts of the last interval tell the point there, or the last two points of this way where it
+/// has too few steps; the forces of the moment itself ring with the drive that stops.
 template <class Real> void WallRun::take_turn(const WallState<Real>& state, int lane)
 {
     const CurvePoint last = result_.curve.back(),
@@ -221,7 +222,10 @@ template <class Real> void WallRun::take_turn(const WallState<Real>& state, int 
     p.displacement = drive_.position();
     const double along = p.displacement - last.displacement,
                  way = last.displacement - before.displacement;
-    if (along * way > 0.0) {
+    if (const auto at_end = recorder_.at_end()) {
+        p.force = 0.5 * (at_end->force + at_end->base);
+        p.base_shear = at_end->base;
+    } else if (along * way > 0.0) {
         p.force += (last.force - before.force) * along / way;
         p.base_shear += (last.base_shear - before.base_shear) * along / way;
     }

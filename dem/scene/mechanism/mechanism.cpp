@@ -14,6 +14,10 @@ namespace dem {
 
 namespace {
 
+/// Share of the displacement that rotation to the side of the push and slip of bed joints make
+/// up together; below it, rotations to either side count. The majority, a free choice.
+constexpr double kSeen = 0.5;
+
 bool is_bed(FaceKind k)
 {
     return k == FaceKind::bed_joint || k == FaceKind::base_joint || k == FaceKind::beam_joint;
@@ -98,6 +102,9 @@ Mechanism mechanism(const Snapshot& wall, double height)
         m.turning_share = turning_share(wall, height);
         m.rotation_share = beam_rotation_share(wall, height).value_or(m.turning_share);
         m.sliding_share = sliding(wall) / wall.displacement;
+        const double seen =
+            std::max(m.rotation_share, m.turning_share) + std::abs(m.sliding_share);
+        if (seen < kSeen) m.turning_share = turning_share(wall, height, Turns::to_either_side);
     }
     for (const FaceState& f : wall.faces) {
         if (f.kind == FaceKind::unit_crack) m.cracked_contacts += broken_contacts(f);

@@ -11,7 +11,7 @@ namespace dem {
 
 struct Mechanism {
     /// Rotation of the beam x height / displacement [-]; 1 for a wall that turns about its toe
-    /// as one body. Without a beam turning_share.
+    /// as one body. Without a beam that of the blocks, with their signs.
     double rotation_share = 0.0;
     /// Slip of the closed bed joints, summed over the courses, / displacement [-].
     double sliding_share = 0.0;
@@ -24,7 +24,8 @@ struct Mechanism {
     /// Area of contacts that have lost all their compressive strength [m2].
     double crushed_area = 0.0;
     /// Rotation of the blocks x height / displacement [-] (rotation_share.hpp); 1 too for piers
-    /// that rock below a spandrel and for a wall in double bending.
+    /// that rock below a spandrel and for a wall in double bending. Rotations to either side
+    /// count where they cancel and bed joints do not slide, as in an arch on its hinges.
     double turning_share = 0.0;
 };
 

@@ -65,11 +65,14 @@ std::optional<double> beam_rotation_share(const Snapshot& wall, double height)
     return rotation * height / wall.displacement;
 }
 
-double turning_share(const Snapshot& wall, double height)
+double turning_share(const Snapshot& wall, double height, Turns turns_count)
 {
     std::vector<Turning> blocks;
     for (const BlockState& b : wall.blocks) blocks.push_back(turning_of(b));
+    if (turns_count == Turns::to_either_side)
+        for (Turning& b : blocks) b.rotation = std::copysign(b.rotation, wall.displacement);
     const double top = std::ranges::max(blocks, {}, &Turning::z1).z1;
+    if (turns_count == Turns::to_either_side) height = std::max(height, top);
     if (top < height) // the load line lies above all: its way is that of what lies highest
         for (Turning& b : blocks)
             if (b.z1 == top) b.z1 = height;

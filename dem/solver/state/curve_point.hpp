@@ -6,7 +6,7 @@
 namespace dem {
 
 /// Its forces are means over the displacement since the previous point, and it stands at the
-/// middle of that interval. A point at a turn is led there by the two before it.
+/// middle of that interval. A point at a turn is led there by the way before it.
 struct CurvePoint {
     double displacement = 0.0; ///< of the load line [m]
     double force = 0.0;        ///< horizontal load [N]: work of the drive / displacement

@@ -4,9 +4,11 @@
 #include "dem/solver/state/curve_point.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <deque>
+#include <optional>
 
 namespace dem {
 
@@ -16,11 +18,16 @@ namespace dem {
 /// points stay in order.
 class Recorder {
   public:
-    /// Points that are closer after a turn, where the force changes fast: they reach as far as
-    /// two others.
+    /// Points that are closer after a turn, and at the start of a push that turns back, where
+    /// the force changes fast: they reach as far as two others.
     static constexpr int kAfterTurn = 32;
     /// Steps over which a point is a mean, if it may be.
     static constexpr int kSteps = 100;
+
+    /// Forces of the drive and of the ground [N].
+    struct Forces {
+        double force = 0.0, base = 0.0;
+    };
 
     /// @param every way between points [m]
     /// @param still change of the force, as a share of it, up to which it stands still [-]
@@ -39,10 +46,15 @@ class Recorder {
         now_.force += mean * way;
         now_.base += base * way;
         now_.gap += (gap < 0.0 ? -gap : gap) * way;
+        if (now_.way - marks_[2].way < fine_interval() || now_.steps - marks_[2].steps < kSteps)
+            return;
+        marks_[0] = marks_[1];
+        marks_[1] = marks_[2];
+        marks_[2] = now_;
     }
 
     [[nodiscard]] bool due() const { return now_.way + late_ >= interval(); }
-    void begin_way() ///< to be called at a turn
+    void begin_way() ///< to be called at a turn, and at the start of a push that turns back
     {
         fine_ = kAfterTurn;
         late_ = 0.0;
@@ -64,6 +76,8 @@ class Recorder {
         travelled_ += now_.way;
         last_ = travelled_ - 0.5 * all.way;
         late_ = std::clamp(now_.way + late_ - interval(), 0.0, 0.5 * interval());
+        end_ = forces_at_end();
+        marks_ = {};
         before_.push_back(now_);
         if (before_.size() > static_cast<std::size_t>(kSteps)) before_.pop_front();
         now_ = {};
@@ -75,6 +89,12 @@ class Recorder {
                 energy,
                 position};
     }
+
+    /// Forces where the last interval ended, along the line through the means of its last two
+    /// parts: the curve may bend within the interval, where a line through two points leaves
+    /// it. Each part is as long as an interval after a turn and has kSteps steps or more;
+    /// nothing where the interval has fewer than two.
+    [[nodiscard]] std::optional<Forces> at_end() const { return end_; }
 
     /// Intervals between points that the last point is a mean of.
     [[nodiscard]] std::size_t joined() const { return joined_; }
@@ -94,9 +114,21 @@ class Recorder {
             gap += s.gap;
         }
     };
-    [[nodiscard]] double interval() const ///< [m]
+    [[nodiscard]] double fine_interval() const { return 2.0 * every_ / kAfterTurn; } ///< [m]
+    [[nodiscard]] double interval() const { return fine_ > 0 ? fine_interval() : every_; }
+
+    [[nodiscard]] std::optional<Forces> forces_at_end() const
     {
-        return fine_ > 0 ? 2.0 * every_ / kAfterTurn : every_;
+        const Sums &begin = marks_[0], &middle = marks_[1];
+        if (middle.way == 0.0) return std::nullopt;
+        const double last = now_.way - middle.way, before = middle.way - begin.way;
+        const auto led = [&](double sum_now, double sum_middle, double sum_begin) {
+            const double a = (sum_now - sum_middle) / last,
+                         b = (sum_middle - sum_begin) / before;
+            return a + (a - b) * last / (last + before);
+        };
+        return Forces{led(now_.force, middle.force, begin.force),
+                      led(now_.base, middle.base, begin.base)};
     }
 
     double every_, still_;
@@ -104,7 +136,9 @@ class Recorder {
     double late_ =
         0.0; ///< way by which the last point was late: no step is as long as is left [m]
     Sums now_;
-    std::deque<Sums> before_; ///< of this way
+    std::array<Sums, 3> marks_; ///< of this interval, where its last parts begin
+    std::optional<Forces> end_; ///< of the last interval
+    std::deque<Sums> before_;   ///< of this way
     std::size_t joined_ = 1;
     double travelled_ = 0.0; ///< to the last point taken [m]
     double last_ = 0.0;      ///< where that point stands, on the way travelled [m]

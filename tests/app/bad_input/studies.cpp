@@ -358,6 +358,23 @@ pattern = body
 vertical_stress = 0 MPa
 )",
         "study.ini:1: wall.base: fixed holds the block at (2.5, 0.5), which touches no other, so that nothing of it can move; write joint, or leave the block out"},
+    BadStudy{"no vertical stress of a wall without a beam", "", R"([wall]
+outlines = 0 0, 1 0, 1 1, 0 1
+thickness = 0.2 m
+base = joint
+[stone]
+young_modulus = 15.5 GPa
+poisson_ratio = 0.2
+density = 2300 kg/m3
+[joint]
+normal_stiffness = 8 GPa/m
+friction_angle = 31.8 deg
+[beam]
+present = no
+[load]
+pattern = body
+)",
+        "study.ini:14: load.vertical_stress: missing; write e.g. \"vertical_stress = 0 MPa\" under [load]"},
     BadStudy{"a stone on an edge of 0.05 mm", "", R"([wall]
 outlines = 0 0, 1 0, 1 1, 0 1; 0.99995 1, 2 1, 2 2, 0.99995 2
 thickness = 0.2 m

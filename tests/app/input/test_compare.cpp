@@ -117,8 +117,10 @@ TEST_CASE("compare: what cannot be compared is refused with its place", "[app][c
     CHECK(refusal(file_of(folder.path / "a.txt", "x")).find("cannot be compared") !=
           std::string::npos);
     CHECK(refusal(file_of(path("b.csv"), "u,f\n1,2\n")) ==
-          path("b.csv") + ":1: has no column of the displacement; name it as in "
-                          "\"displacement_mm,force_kN\"");
+          path("b.csv") +
+              ":1: has no column of the displacement in mm, cm or m among \"u\", \"f\"; "
+              "name it as in \"displacement_mm,force_kN\" or \"displacement "
+              "[m],force [N]\"");
     CHECK(refusal(file_of(path("c.csv"), "displacement_mm,force_kN\n0,0\n1,much\n"))
               .find(":3:") != std::string::npos);
     CHECK(refusal(file_of(path("d.csv"), "displacement_mm,force_kN\n0,0\n"))

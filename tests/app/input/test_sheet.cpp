@@ -169,6 +169,41 @@ TEST_CASE("sheet: the study that a push of mean values leaves gives a page", "[a
     CHECK(count(scenes::read_text(folder.path / "a.html"), "</html>") == 1);
 }
 
+TEST_CASE("sheet: under body forces the wall moves, by the height of its centre of gravity",
+          "[app][sheet]")
+{
+    const scenes::TemporaryFolder folder;
+    const fs::path study = folder.path / "a.ini", out = folder.path / "a.html";
+    std::ofstream(study) << R"([wall]
+outlines = 0 0, 0.4 0, 0.4 0.5, 0 0.5; 0 0.5, 0.4 0.5, 0.4 1, 0 1
+thickness = 0.2 m
+base = joint
+[stone]
+young_modulus = 15 GPa
+poisson_ratio = 0.2
+density = 2300 kg/m3
+[joint]
+normal_stiffness = 10 GPa/m
+friction_angle = 35 deg
+[beam]
+present = no
+[load]
+pattern = body
+vertical_stress = 0 MPa
+max_displacement = 1 mm
+[solver]
+fidelity = rigid
+)";
+    CHECK(sheet_of(study, out) == 0);
+    const std::string page = scenes::read_text(out);
+    for (const char* const part :
+         {"wall moves [mm]", "Force over movement of the wall", "a mean by weight",
+          "of the height of its centre of gravity", "without a load on its top"})
+        CHECK(page.find(part) != std::string::npos);
+    CHECK(page.find("the top moves") == std::string::npos);
+    CHECK(page.find("top moves") == std::string::npos);
+}
+
 TEST_CASE("sheet: files of others stay", "[app][sheet]")
 {
     const scenes::TemporaryFolder folder;

@@ -55,3 +55,26 @@ TEST_CASE("cycle parts: they add up to the loop, and no part of it can be missin
         CHECK(share > 5.0 * kMargin);
     }
 }
+
+TEST_CASE(
+    "cycle parts: a wall that turns where it has just begun to slide carries no more than "
+    "friction does, and its first loop has no negative energy",
+    "[app][cyclic]")
+{
+    const std::string amplitude = GENERATE("0.12 mm", "0.15 mm");
+    const app::PushedWall wall = scenes::pushed(
+        study_texts::read(study_texts::kSmallWall,
+                          {"wall.base=joint", "wall.toe=free", "joint.friction_angle=6 deg",
+                           "joint.wall_modulus=1500 MPa", "load.vertical_stress=0.5 MPa",
+                           "load.amplitudes=" + amplitude, "load.gravity=0 m/s2",
+                           "solver.accuracy=1 %", "solver.steps_per_mm=400"}));
+    const auto cycles = fragility::cycles({wall.displacement, wall.force});
+    REQUIRE(cycles.size() == 1);
+    const double friction = std::tan(6.0 * std::acos(-1.0) / 180.0) * 0.5e6 * 0.6 * 0.2;
+    INFO(amplitude << ", forces / friction " << cycles[0].force_plus / friction << ", "
+                   << cycles[0].force_minus / friction << ", energy " << cycles[0].energy);
+    CHECK(cycles[0].force_plus < 1.02 * friction);
+    CHECK(cycles[0].force_plus > 0.9 * friction);
+    CHECK(cycles[0].force_minus > -1.02 * friction);
+    CHECK(cycles[0].energy > 0.0);
+}

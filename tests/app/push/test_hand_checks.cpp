@@ -189,3 +189,17 @@ TEST_CASE(
     w.result.near_peak = tilted;
     CHECK_THAT(remarks(w), Catch::Contains("contact points"));
 }
+
+TEST_CASE("hand checks: a push by body forces has its load factor, one by the beam has none",
+          "[app][hand_checks]")
+{
+    app::PushedWall wall = pushed(2e3);
+    wall.result.weight = 16e3;
+    CHECK(remarks(wall).find("load factor") == std::string::npos);
+    wall.loads.pattern = dem::LoadPattern::body;
+    CHECK(remarks(wall).find("the peak force is 0.125 times the weight that is pushed (load "
+                             "factor); displacements are means over the wall by weight") !=
+          std::string::npos);
+    wall.reading.peak.reset();
+    CHECK(remarks(wall).find("load factor") == std::string::npos);
+}

@@ -123,6 +123,48 @@ TEST_CASE(
           Approx(kTop / (kTop - kCourse)).epsilon(1e-12));
 }
 
+TEST_CASE(
+    "mechanism: an arch whose parts turn to both sides rocks, one whose joint slides does "
+    "not",
+    "[dem][mechanism]")
+{
+    // Two voussoirs side by side, without a beam, turn against each other about the floor.
+    const double displacement = GENERATE(0.01, -0.01), theta = displacement / kTop;
+    Snapshot s = stack([](int, Point) { return Point{}; }, displacement);
+    s.blocks.resize(2);
+    s.faces.clear();
+    for (int i = 0; i < 2; ++i) {
+        dem::BlockState& b = s.blocks[i];
+        const double x = i * kLength, turn = i == 0 ? theta : -theta;
+        b.course = 1;
+        b.unit = i + 1;
+        b.outline = {{x, 0}, {x + kLength, 0}, {x + kLength, kTop}, {x, kTop}};
+        b.displacement.clear();
+        for (const Point p : b.outline)
+            b.displacement.push_back({turn * p.z, turn * (x + 0.5 * kLength - p.x)});
+    }
+    const Mechanism m = dem::mechanism(s, kTop);
+    CHECK(std::abs(m.rotation_share) < 1e-12);
+    CHECK(std::abs(m.sliding_share) < 1e-12);
+    CHECK(m.turning_share == Approx(1.0).epsilon(1e-12));
+    CHECK(mode_of(s) == FailureMode::rocking);
+
+    CHECK(dem::mechanism(s, 0.5 * kTop).turning_share ==
+          m.turning_share); // the load lies lower
+
+    dem::FaceState f; // the same, but a bed joint has slid as far
+    f.kind = FaceKind::base_joint;
+    f.block_a = -1;
+    f.block_b = 0;
+    f.contacts.resize(1);
+    f.contacts[0].area = 0.1;
+    f.contacts[0].sigma = -1e6;
+    f.contacts[0].slip = displacement;
+    s.faces.push_back(f);
+    CHECK(std::abs(dem::mechanism(s, kTop).turning_share) < 1e-12);
+    CHECK(mode_of(s) == FailureMode::sliding);
+}
+
 TEST_CASE("mechanism: a course that slides carries the whole displacement on one joint",
           "[dem][mechanism]")
 {

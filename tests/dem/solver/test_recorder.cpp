@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <vector>
 
 using dem::Recorder;
@@ -184,4 +185,32 @@ TEST_CASE("recorder: no point reaches back over a change of the force, or over a
     r.begin_way();
     r.add(-1.0, 60, 60, 60);
     CHECK(r.take(9.0, {}).force == 60.0);
+}
+
+TEST_CASE("recorder: the force at the end of an interval is led there by its last parts, also "
+          "where the force has just ceased to grow",
+          "[dem][recorder]")
+{
+    constexpr int kSteps = 4096;
+    constexpr double step = 1.0 / kSteps;
+    const auto grows = [](double x) { return 100.0 * x; };
+    const auto bends = [](double x) { return std::min(100.0 * x, 70.0); };
+    const auto last = [&](const auto& force) {
+        Recorder r(1.0, 0.0);
+        for (int i = 0; i < kSteps; ++i) {
+            const double a = force(i * step), b = force((i + 1) * step);
+            r.add(step, a, b, 0.5 * (a + b));
+        }
+        (void)r.take(1.0, {});
+        return r.at_end();
+    };
+    REQUIRE(last(grows));
+    CHECK(last(grows)->force == Approx(100.0).epsilon(1e-12));
+    CHECK(last(grows)->base == Approx(100.0).epsilon(1e-12));
+    CHECK(last(bends)->force == Approx(70.0).epsilon(1e-12));
+
+    Recorder coarse(1.0, 0.0); // too few steps to tell
+    for (int i = 0; i < 100; ++i) coarse.add(0.01, 1, 1, 1);
+    (void)coarse.take(1.0, {});
+    CHECK_FALSE(coarse.at_end());
 }

