@@ -106,7 +106,7 @@ int choices_command(const Command& command)
                 "\" is a file of results; write the study file that it was made from");
     const PreparedStudy ready = prepare(read_study(command.study, command.overrides));
     const Study& study = ready.study;
-    const int level = level_of(study, command.level);
+    const int level = level_of(study.load, command.level);
     std::vector<std::filesystem::path> names = {"choices.svg"};
     for (const char* const ending : kTableEndings)
         names.push_back(std::string("choices") + ending);

@@ -52,10 +52,10 @@ void add_used(const dem::Snapshot& wall, const dem::CrackMaterial& strength,
 std::set<int> used_units(const Study& study, const dem::Model& model)
 {
     dem::PushPlan plan = push_plan(study);
-    plan.snapshot_every = push_way(study).length / kLooks;
+    plan.snapshot_every = push_way(study.load).length / kLooks;
     std::set<int> units;
     for (int level = 0; level < static_cast<int>(study.load.vertical_stress.size()); ++level) {
-        const StressLevel at = stress_level(study, level);
+        const StressLevel at = stress_level(study.load, level);
         const dem::CrackMaterial strength =
             crack_material(study.parameters, study.wall.course_height, at);
         dem::WallMaterials w =

@@ -7,11 +7,14 @@
 
 namespace app {
 
+struct FragilityInput;
+struct LoadInput;
 struct Study;
+struct StudyFile;
 
 /// Checks that a push to and fro is not endless, before its path is made.
 /// @throws ConfigError at the value to change
-void check_cycles(const Study& study);
+void check_cycles(const LoadInput& load, const StudyFile& source);
 
 /// Why load.height does not fit the wall; empty if it does.
 [[nodiscard]] std::string unfit_height(const Study& study);
@@ -26,6 +29,6 @@ void check_relations(const Study& study);
 
 /// Checks the number of samples behind p-values, also where no study was read.
 /// @throws ConfigError where they are too few for a law to be rejected
-void check_bootstrap(const Study& study);
+void check_bootstrap(const FragilityInput& fragility, const StudyFile& source);
 
 } // namespace app

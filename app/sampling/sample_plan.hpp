@@ -32,7 +32,9 @@ struct SamplePlan {
 /// How standard normal numbers become the values of a wall.
 /// @param latin whether their rows are those of a Latin hypercube
 /// @throws ConfigError where the correlation or the rows asked for cannot be had
-[[nodiscard]] uq::SpatialPlan value_plan(const Study& study, const dem::Layout& layout,
+[[nodiscard]] uq::SpatialPlan value_plan(const UqInput& uq,
+                                         const std::vector<RandomInput>& random,
+                                         const StudyFile& source, const dem::Layout& layout,
                                          bool latin);
 
 /// The plan of a study's draws.

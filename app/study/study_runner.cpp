@@ -11,7 +11,10 @@
 #include <utility>
 
 namespace app {
-Deal deal_of(const Study& study) { return has_layouts(study) ? Deal::samples : Deal::walls; }
+Deal deal_of(const GeometryInput& geometry)
+{
+    return has_layouts(geometry) ? Deal::samples : Deal::walls;
+}
 
 namespace {
 

@@ -61,7 +61,7 @@ PierFacts facts_of(const Study& study, const dem::PierProbe& probe, const PierHi
 {
     PierFacts f;
     const dem::Pier& pier = probe.piers().piers[i];
-    const double way = push_way(study).direction;
+    const double way = push_way(study.load).direction;
     const dem::PierState peak = calm[at_peak(calm)].piers[i];
     f.normal_before = history.front().piers[i].force.normal;
     f.normal_at_peak = peak.force.normal;

@@ -133,9 +133,10 @@ std::string_view mode_text(const PierReading& pier)
 
 bool is_so_far(std::string_view mode) { return mode.ends_with(kSoFar); }
 
-bool tells_piers(const Study& study)
+bool tells_piers(const dem::WallGeometry& wall, const GeometryInput& geometry,
+                 const LoadInput& load)
 {
-    return push_way(study).direction != 0 && has_piers(study);
+    return push_way(load).direction != 0 && has_piers(wall, geometry);
 }
 
 const PierCap* cap_of(const PierReading& pier, std::string_view code, std::string_view state)
@@ -160,7 +161,11 @@ int governing_pier(const std::vector<PierReading>& piers, std::string_view code,
     return first;
 }
 
-PierRules pier_rules(const Study& study) { return {reading_rules(study), pier_codes(study)}; }
+PierRules pier_rules(const Study& study)
+{
+    const ReadingRules rules = reading_rules(study);
+    return {rules, pier_codes(study.fragility, rules)};
+}
 
 std::vector<PierReading> read_piers(const PierRules& rules, std::span<const dem::Pier> piers,
                                     std::span<const PierFacts> facts,

@@ -6,6 +6,7 @@
 #include "app/study/pushed/pier_facts.hpp"
 #include "app/study/pushed/pier_history.hpp"
 #include "dem/scene/mechanism/piers.hpp"
+#include "dem/scene/wall.hpp"
 
 #include <span>
 #include <string>
@@ -14,6 +15,8 @@
 
 namespace app {
 
+struct GeometryInput;
+struct LoadInput;
 struct Study;
 
 struct PushedWall;
@@ -61,7 +64,8 @@ struct PierBalance {
 };
 
 /// Whether the program tells piers apart: openings, and a push that goes one way.
-[[nodiscard]] bool tells_piers(const Study& study);
+[[nodiscard]] bool tells_piers(const dem::WallGeometry& wall, const GeometryInput& geometry,
+                               const LoadInput& load);
 
 /// How piers are read: the rules of their wall, and the codes whose drift limits are told.
 struct PierRules {

@@ -43,7 +43,7 @@ PushedWall read_wall(const Study& study, int level, dem::PushResult result)
     const ReadingRules rules = reading_rules(study);
     PushedWall w;
     w.vertical_stress = study.load.vertical_stress[level];
-    w.loads = loads(study, level);
+    w.loads = loads(study.load, level);
     w.result = std::move(result);
     if (dem::failed(w.result.outcome)) {
         w.reading = not_read(rules, why_failed(w.result.outcome));
@@ -66,7 +66,7 @@ PushedWall no_wall(const Study& study, int level, const std::string& why)
 {
     PushedWall w;
     w.vertical_stress = study.load.vertical_stress[level];
-    w.loads = loads(study, level);
+    w.loads = loads(study.load, level);
     w.result.outcome = dem::Outcome::no_wall;
     w.reading =
         not_read(reading_rules(study), "no wall can be made of the values drawn: " + why);
