@@ -27,10 +27,9 @@ dem::CrackPattern coarse(const dem::CrackPattern& p)
     return {dem::CrackPattern::Kind::grid, 2, 2};
 }
 
-Study coarse_study(const Study& study)
+Study coarse_study(Study s)
 {
-    Study s = study;
-    s.wall.cracks.pattern = coarse(study.wall.cracks.pattern);
+    s.wall.cracks.pattern = coarse(s.wall.cracks.pattern);
     s.wall.cracks.where.clear();
     s.solver.accuracy = std::max(s.solver.accuracy, kCoarse);
     return s;

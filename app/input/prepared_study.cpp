@@ -55,17 +55,16 @@ PreparedStudy prepare(Study study)
     return ready;
 }
 
-PreparedStudy in_layout(const Study& study, std::uint32_t seed)
+PreparedStudy in_layout(Study study, std::uint32_t seed)
 {
-    Study own = study;
-    own.wall.seed = seed;
-    own.geometry.layouts = 1;
-    std::vector<Entry>& entries = own.source.entries;
+    study.wall.seed = seed;
+    study.geometry.layouts = 1;
+    std::vector<Entry>& entries = study.source.entries;
     std::erase_if(entries, [](const Entry& e) {
         return e.key == "wall.layouts" || e.key == "wall.seed";
     });
     entries.push_back({"wall.seed", std::to_string(seed)}); // as --set
-    return lay_again(std::move(own));
+    return lay_again(std::move(study));
 }
 
 dem::Model model_of(const PreparedStudy& ready)

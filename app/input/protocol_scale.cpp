@@ -15,9 +15,8 @@ namespace app {
 namespace {
 
 /// The same wall, pushed one way until its limits are known.
-Study one_way_study(const Study& study)
+Study one_way_study(Study s)
 {
-    Study s = study;
     s.load.protocol = dem::Protocol::none;
     s.load.stop_below = 0.0;
     derive_stop_below(s);

@@ -108,7 +108,8 @@ void check_zones(const dem::Discretisation& d, const StudyFile& source)
 
 void check_load(const Study& study)
 {
-    const std::string unfit = unfit_height(study);
+    const std::string unfit =
+        unfit_height(study.load, study.beam, wall_height(study.wall, study.geometry));
     if (!unfit.empty()) refuse(study.source, "load.height", unfit);
     double previous = 0.0;
     for (const double target : study.load.targets) {
@@ -210,14 +211,14 @@ void check_output(const LoadInput& load, const OutputInput& out, const StudyFile
 
 } // namespace
 
-std::string unfit_height(const Study& study)
+std::string unfit_height(const LoadInput& load, const dem::Beam& beam, double top)
 {
     constexpr double kRounding = 1e-9; // [m]
-    const double top = wall_height(study.wall, study.geometry), height = study.load.height;
-    if (study.load.pattern == dem::LoadPattern::body || !study.beam.present) return "";
-    if (height >= top - kRounding && height <= top + study.beam.height + kRounding) return "";
+    if (load.pattern == dem::LoadPattern::body || !beam.present) return "";
+    if (load.height >= top - kRounding && load.height <= top + beam.height + kRounding)
+        return "";
     return "must lie within the loading beam, from " + quantity_text(top, "m") + " to " +
-           quantity_text(top + study.beam.height, "m") +
+           quantity_text(top + beam.height, "m") +
            "; without this key it is the top of the beam";
 }
 

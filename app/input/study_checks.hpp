@@ -17,7 +17,9 @@ struct StudyFile;
 void check_cycles(const LoadInput& load, const StudyFile& source);
 
 /// Why load.height does not fit the wall; empty if it does.
-[[nodiscard]] std::string unfit_height(const Study& study);
+/// @param top of the masonry [m]
+[[nodiscard]] std::string unfit_height(const LoadInput& load, const dem::Beam& beam,
+                                       double top);
 
 /// Refuses blocks and pieces of joint of a wall in courses that are too short.
 /// @throws ConfigError at the value to change

@@ -82,7 +82,8 @@ void derive(Study& study)
 
 void leave_out_unfit_height(Study& study)
 {
-    study.load.unfit_height = unfit_height(study);
+    study.load.unfit_height =
+        unfit_height(study.load, study.beam, wall_height(study.wall, study.geometry));
     if (!study.load.unfit_height.empty()) find_key("load.height")->derived.apply(study);
 }
 

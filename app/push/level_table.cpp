@@ -1,5 +1,6 @@
 #include "app/push/level_table.hpp"
 
+#include "app/input/study/load_input.hpp"
 #include "app/study/answers/fragility_text.hpp"
 #include "app/study/answers/mode_rule.hpp"
 #include "app/study/answers/number_cells.hpp"

@@ -1,5 +1,6 @@
 #include "app/push/pier_picture.hpp"
 
+#include "app/input/study/load_input.hpp"
 #include "app/input/wall/wall_geometry.hpp"
 #include "app/output/picture/svg_elements.hpp"
 #include "app/study/answers/fragility_text.hpp"

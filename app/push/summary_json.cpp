@@ -1,6 +1,7 @@
 #include "app/push/summary_json.hpp"
 
 #include "app/input/keys/limit_state_text.hpp"
+#include "app/input/study/study.hpp"
 #include "app/input/study_reading.hpp"
 #include "app/output/energy_json.hpp"
 #include "app/program_version.hpp"

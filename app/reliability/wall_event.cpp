@@ -66,16 +66,16 @@ void check_reached(const LoadInput& load, const ReliabilityInput& reliability,
                            number(last * 1e3, 12) + " mm");
 }
 
-Study cheaper(const Study& study)
+Study cheaper(Study study)
 {
-    Study cheap = study;
-    cheap.fidelity = study.reliability.cheap;
-    cheap.discretisation.block_modes = dem::discretisation_of(cheap.fidelity).block_modes;
-    cheap.discretisation.contact_points = dem::discretisation_of(cheap.fidelity).contact_points;
-    if (cheap.discretisation == study.discretisation)
+    const dem::Discretisation own = study.discretisation;
+    study.fidelity = study.reliability.cheap;
+    study.discretisation.block_modes = dem::discretisation_of(study.fidelity).block_modes;
+    study.discretisation.contact_points = dem::discretisation_of(study.fidelity).contact_points;
+    if (study.discretisation == own)
         throw error_at(study.source, "reliability.cheap",
                        "is the fidelity of the study itself; name a lower one");
-    return cheap;
+    return study;
 }
 
 /// Relative cost of a wall: modes move through the contact points in every step.

@@ -1,5 +1,6 @@
 #include "app/sampling/sample_plan.hpp"
 
+#include "app/input/study/study.hpp"
 #include "app/sampling/study_dependence.hpp"
 #include "app/sampling/study_kernel.hpp"
 #include "app/sampling/study_rows.hpp"

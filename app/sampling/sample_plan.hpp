@@ -1,7 +1,8 @@
 #pragma once
 /// The random values of each wall of a study.
 
-#include "app/input/study/study.hpp"
+#include "app/input/study/random_input.hpp"
+#include "app/input/study/uq_input.hpp"
 #include "app/sampling/wall_draw.hpp"
 #include "uq/fields/field_site.hpp"
 #include "uq/fields/spatial_sample.hpp"
@@ -13,6 +14,9 @@
 #include <vector>
 
 namespace app {
+
+struct Study;
+struct StudyFile;
 
 /// Everything that the draws of a study have in common.
 struct SamplePlan {

@@ -69,11 +69,6 @@ std::string subtitle(const dem::WallGeometry& wall, const GeometryInput& geometr
     return text + ", " + stress_text(w.vertical_stress) + " of vertical stress on its top";
 }
 
-std::string drawing_of(const Study& study)
-{
-    return wall_drawing(scene_units(study.geometry, whole_units(study)), 330.0, 250.0);
-}
-
 const dem::Snapshot& drop_or_end(const dem::PushResult& r)
 {
     return r.at_drop ? *r.at_drop : r.at_end;
@@ -198,7 +193,7 @@ Sheet sheet_of(const Study& study, const dem::Layout& layout, const PushedWall& 
     s.title = title_of(command);
     s.subtitle = subtitle(study.wall, study.geometry, w);
     s.answer = answer_sentences(study, layout, w);
-    s.drawing = drawing_of(study);
+    s.drawing = wall_drawing(scene_units(study.geometry, whole_units(study)), 330.0, 250.0);
     s.curve = line_chart(sheet_curve(rules, w));
     s.mechanism = mechanism_of(study.beam, study.load, study.fragility, layout, w);
     s.limits = limits_of(rules, w, walls);

@@ -65,19 +65,17 @@ std::string way_words(const LoadInput& load, bool other)
     return direction == 0 ? "to and fro" : direction > 0 ? "to the right" : "to the left";
 }
 
-std::string strength_sentence(const Study& study, const dem::Layout& layout,
-                              const PushedWall& w)
+/// @param vertical load on its top [N]
+std::string strength_sentence(const LoadInput& load, const PushedWall& w, double vertical)
 {
-    std::string text = "Pushed " + way_words(study.load, false) + ", the wall carries " +
+    std::string text = "Pushed " + way_words(load, false) + ", the wall carries " +
                        kilonewtons(peak_force(w.reading));
-    const double vertical = hand_checks(study, layout, w).vertical_load;
     if (vertical > 0.0)
         text += ", " + fixed(peak_force(w.reading) / vertical, 2) +
                 " of the vertical load on its top";
     if (const PushedWall* const other = other_way_of(w);
         other != nullptr && other->reading.peak)
-        text +=
-            "; " + way_words(study.load, true) + " " + kilonewtons(peak_force(other->reading));
+        text += "; " + way_words(load, true) + " " + kilonewtons(peak_force(other->reading));
     return text + ".";
 }
 
@@ -152,13 +150,6 @@ std::string how_much(const JointInput& joint, std::string_view key)
     return "";
 }
 
-/// The value as the study gives it, else as it is by default.
-std::string given_text(const Study& study, std::string_view key)
-{
-    const Entry* const entry = find_entry(study.source, key);
-    return entry != nullptr ? entry->value : value_text(*find_key(key), study);
-}
-
 /// Measured ones first, in the order of the table.
 int rank(const Assumption& a)
 {
@@ -195,8 +186,9 @@ std::vector<std::string> answer_sentences(const Study& study, const dem::Layout&
 {
     if (!wall.reading.no_reading.empty())
         return {sentence("No curve can be read: " + wall.reading.no_reading)};
-    std::vector<std::string> all = {strength_sentence(study, layout, wall),
-                                    limit_sentence(study.load, study.fragility, wall)};
+    std::vector<std::string> all = {
+        strength_sentence(study.load, wall, hand_checks(study, layout, wall).vertical_load),
+        limit_sentence(study.load, study.fragility, wall)};
     if (!came_down_at_once(wall)) all.push_back(failure_sentence(study.load, wall));
     return all;
 }
@@ -205,8 +197,11 @@ std::vector<Assumption> assumptions(const Study& study, std::size_t most)
 {
     std::vector<Assumption> all;
     const auto add = [&](std::string_view key, std::string_view effect) {
-        all.push_back({std::string(key) + " = " + given_text(study, key), std::string(effect),
-                       how_much(study.parameters.joint, key)});
+        const Entry* const given = find_entry(study.source, key);
+        all.push_back(
+            {std::string(key) + " = " +
+                 (given != nullptr ? given->value : value_text(*find_key(key), study)),
+             std::string(effect), how_much(study.parameters.joint, key)});
     };
     for (const LimitChoice& choice : limit_choices(study)) add(choice.key, choice.effect);
     if (has_cracks(study.geometry, study.cracks, study.source))

@@ -74,7 +74,6 @@ RunProgress run_walls(const PreparedStudy& ready, const SamplePlan& plan,
                       const std::function<void(const RunProgress&)>& seen,
                       const FrameTaker& frames, RunProgress start)
 {
-    const Study& study = ready.study;
     RunProgress so_far = start;
     so_far.all = walls.size();
     RowBuffer rows(store);
@@ -98,7 +97,7 @@ RunProgress run_walls(const PreparedStudy& ready, const SamplePlan& plan,
     };
     try {
         push_in_layouts(
-            ready, frames ? filmed_plan(study) : bare_plan(study), list,
+            ready, frames ? filmed_plan(ready.study) : bare_plan(ready.study), list,
             [&](std::size_t i) { return walls[i].sample; }, threads);
     } catch (...) {
         rows.flush();

@@ -28,7 +28,7 @@ struct Condition {
 };
 
 /// A function of parts of a study, for tables: asks<&Study::load>([](auto& load) { ... }).
-template <auto... Parts, class Function> consteval auto asks(Function)
+template <auto... Parts, class Function> constexpr auto asks(Function)
 {
     return +[](const Study& study) { return Function{}((study.*Parts)...); };
 }

@@ -21,7 +21,7 @@ constexpr std::array kUnloadings = {named("secant", dem::Unloading::secant),
                                     named("elastic", dem::Unloading::elastic)};
 using Pattern = dem::CrackPattern;
 /// A test of the patterns of a study.
-template <class Holds> consteval auto any_crack(Holds)
+template <class Holds> constexpr auto any_crack(Holds)
 {
     return asks<&Study::geometry, &Study::cracks, &Study::source>(
         [](auto&... parts) { return any_pattern(parts..., Holds{}); });

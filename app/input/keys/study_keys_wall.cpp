@@ -78,7 +78,9 @@ constexpr Condition kBuiltOrGiven{
         return is_built(g) || find_entry(source, "wall.unit_length") != nullptr;
     })};
 constexpr Condition kWithWholeUnits{
-    [](const Study& s) { return kBuiltOrGiven.holds(s) && !s.geometry.rubble; },
+    asks<&Study::geometry, &Study::source>([](auto& g, auto& source) {
+        return !g.rubble && (is_built(g) || find_entry(source, "wall.unit_length") != nullptr);
+    }),
     "no unit is known to be whole: the wall is of rubble, or drawn without wall.unit_length"};
 constexpr Condition kWithHeaders{
     asks<&Study::geometry, &Study::wall>(

@@ -1,6 +1,6 @@
 #pragma once
-/// The wall of a study that is not built by sizes alone: drawings, rubble, openings, and where its
-/// units crack.
+/// The wall of a study that is not built by sizes alone: drawings, rubble, openings, and where
+/// its units crack.
 
 #include "dem/scene/drawn_layout.hpp"
 #include "dem/scene/paper_materials.hpp"

@@ -199,7 +199,8 @@ void check_closed_stiffness(const JointInput& joint, const LoadInput& load,
 /// Tension and shear share one damage then, whose contacts unload to the origin.
 void check_mixed_modes(const Study& study)
 {
-    const std::string key(mixed_mode_key(study));
+    const std::string key(mixed_mode_key(
+        study.parameters, has_cracks(study.geometry, study.cracks, study.source)));
     if (key.empty()) return;
     if (study.solver.law == dem::ContactLaw::uncoupled)
         refuse_law(study.source, "unit.contact_law",

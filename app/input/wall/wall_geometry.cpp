@@ -255,28 +255,19 @@ bool has_mortar(const JointInput& joint)
     return joint.tensile_strength > 0.0 || joint.cohesion > 0.0;
 }
 
-bool has_crushing(const Study& study)
+bool has_crushing(const Parameters& p, bool units_crack)
 {
-    const Parameters& p = study.parameters;
-    return p.joint.crushing.strength > 0.0 ||
-           (has_cracks(study.geometry, study.cracks, study.source) &&
-            p.unit.crushing.strength > 0.0);
+    return p.joint.crushing.strength > 0.0 || (units_crack && p.unit.crushing.strength > 0.0);
 }
 
-std::string_view mixed_mode_key(const Study& study)
+std::string_view mixed_mode_key(const Parameters& p, bool units_crack)
 {
-    const dem::CrackParameters& unit = study.parameters.unit;
-    const JointInput& joint = study.parameters.joint;
     constexpr auto kHyperbolic = dem::Envelope::hyperbolic;
-    if (has_cracks(study.geometry, study.cracks, study.source) && unit.envelope == kHyperbolic)
-        return "unit.envelope";
-    if (has_cracks(study.geometry, study.cracks, study.source) &&
-        unit.shear_fracture_energy > 0.0)
-        return "unit.shear_fracture_energy";
-    if (has_mortar(study.parameters.joint) && joint.envelope == kHyperbolic)
-        return "joint.envelope";
-    if (has_mortar(study.parameters.joint) && joint.shear_fracture_energy > 0.0)
-        return "joint.shear_fracture_energy";
+    if (units_crack && p.unit.envelope == kHyperbolic) return "unit.envelope";
+    if (units_crack && p.unit.shear_fracture_energy > 0.0) return "unit.shear_fracture_energy";
+    if (!has_mortar(p.joint)) return "";
+    if (p.joint.envelope == kHyperbolic) return "joint.envelope";
+    if (p.joint.shear_fracture_energy > 0.0) return "joint.shear_fracture_energy";
     return "";
 }
 
@@ -293,12 +284,11 @@ bool is_full_rectangle(const dem::WallGeometry& wall, const GeometryInput& geome
     return area >= (1.0 - kRounding) * (all.x1 - all.x0) * (all.z1 - all.z0);
 }
 
-dem::Layout whole_units(const Study& study)
+dem::Layout whole_units(Study study)
 {
-    Study uncracked = study;
-    uncracked.wall.cracks.pattern = {dem::CrackPattern::Kind::none};
-    uncracked.wall.cracks.where.clear();
-    return layout_of(uncracked);
+    study.wall.cracks.pattern = {dem::CrackPattern::Kind::none};
+    study.wall.cracks.where.clear();
+    return layout_of(study);
 }
 
 dem::Layout layout_of(const Study& study)
@@ -310,10 +300,11 @@ dem::Layout layout_of(const Study& study)
             : dem::lay_out(study.wall, beam_height(study.beam));
     layout.course_height = study.wall.course_height; // h of Eq. 2
     layout.mortar = has_mortar(study.parameters.joint);
-    layout.crushing = has_crushing(study);
+    const bool units_crack = has_cracks(study.geometry, study.cracks, study.source);
+    layout.crushing = has_crushing(study.parameters, units_crack);
     layout.wear = study.parameters.joint.wear_length > 0.0;
     layout.closure = study.parameters.joint.closure;
-    layout.mixed_mode = !mixed_mode_key(study).empty();
+    layout.mixed_mode = !mixed_mode_key(study.parameters, units_crack).empty();
     return layout;
 }
 

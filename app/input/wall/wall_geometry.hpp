@@ -13,6 +13,7 @@ namespace app {
 
 struct GeometryInput;
 struct JointInput;
+struct Parameters;
 struct Study;
 struct StudyFile;
 
@@ -50,10 +51,12 @@ wall_height(const dem::WallGeometry& wall,
 
 /// The first key by which cracks follow the law of mixed modes; empty: they follow that of the
 /// paper.
-[[nodiscard]] std::string_view mixed_mode_key(const Study& study);
+/// @param units_crack has_cracks() of the study
+[[nodiscard]] std::string_view mixed_mode_key(const Parameters& p, bool units_crack);
 
 /// Whether anything can crush: a mean strength is given.
-[[nodiscard]] bool has_crushing(const Study& study);
+/// @param units_crack has_cracks() of the study
+[[nodiscard]] bool has_crushing(const Parameters& p, bool units_crack);
 
 /// Whether the masonry fills the rectangle around it with stones of one density.
 [[nodiscard]] bool is_full_rectangle(const dem::WallGeometry& wall,
@@ -63,7 +66,7 @@ wall_height(const dem::WallGeometry& wall,
 [[nodiscard]] dem::Layout layout_of(const Study& study);
 
 /// The same if no unit could crack.
-[[nodiscard]] dem::Layout whole_units(const Study& study);
+[[nodiscard]] dem::Layout whole_units(Study study);
 
 /// "0 0, 0.2 0, 0.2 0.1, 0 0.1; ...": corners in metres, to all digits, counter-clockwise. A
 /// layer that is not the wall's own stone stands in front: "lintel: 0 0, ...".

@@ -1,5 +1,7 @@
 #include "app/study/pushed/both_ways.hpp"
 
+#include "app/input/study/load_input.hpp"
+#include "app/input/study/study_file.hpp"
 #include "app/input/wall/random_layouts.hpp"
 #include "app/text/number_text.hpp"
 #include "app/text/words.hpp"

@@ -1,5 +1,6 @@
 #include "app/study/pushed/pier_facts.hpp"
 
+#include "app/input/study/study.hpp"
 #include "app/study/pushed/pushed_wall.hpp"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 #include "app/study/pushed/pier_reading.hpp"
 
 #include "app/input/keys/limit_state_text.hpp"
+#include "app/input/study/study.hpp"
 #include "app/study/pushed/pier_remark.hpp"
 #include "app/study/pushed/pushed_wall.hpp"
 #include "fragility/curve/drift.hpp"
@@ -161,10 +162,10 @@ int governing_pier(const std::vector<PierReading>& piers, std::string_view code,
     return first;
 }
 
-PierRules pier_rules(const Study& study)
+PierRules pier_rules(const FragilityInput& fragility, ReadingRules rules)
 {
-    const ReadingRules rules = reading_rules(study);
-    return {rules, pier_codes(study.fragility, rules)};
+    std::vector<fragility::Code> codes = pier_codes(fragility, rules);
+    return {std::move(rules), std::move(codes)};
 }
 
 std::vector<PierReading> read_piers(const PierRules& rules, std::span<const dem::Pier> piers,
@@ -216,7 +217,7 @@ void read_piers(const Study& study, const dem::PierProbe& probe, const PierHisto
     const PierHistory calm = calmed(history, kCalm * study.load.height);
     const bool came_down = wall.result.outcome == dem::Outcome::lost_equilibrium;
     const fragility::Curve curve{wall.displacement, wall.force, came_down};
-    const PierRules rules = pier_rules(study);
+    const PierRules rules = pier_rules(study.fragility, reading_rules(study));
     wall.piers =
         read_piers(rules, probe.piers().piers,
                    pier_facts(study, probe, history, calm, wall, telling(wall.result)), curve);

@@ -15,6 +15,7 @@
 
 namespace app {
 
+struct FragilityInput;
 struct GeometryInput;
 struct LoadInput;
 struct Study;
@@ -72,7 +73,7 @@ struct PierRules {
     ReadingRules wall;
     std::vector<fragility::Code> codes;
 };
-[[nodiscard]] PierRules pier_rules(const Study& study);
+[[nodiscard]] PierRules pier_rules(const FragilityInput& fragility, ReadingRules rules);
 
 /// The one place where piers are read, of a push or of the file of a study.
 /// @param facts of each of these piers

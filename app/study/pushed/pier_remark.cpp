@@ -2,6 +2,7 @@
 
 #include "app/input/study/geometry_input.hpp"
 #include "app/input/wall/wall_geometry.hpp"
+#include "app/reading/wall_reading.hpp"
 #include "app/study/pushed/wall_openings.hpp"
 #include "app/text/number_text.hpp"
 

@@ -1,5 +1,6 @@
 #include "app/study/pushed/pier_watch.hpp"
 
+#include "app/input/study/study.hpp"
 #include "app/input/wall/wall_geometry.hpp"
 #include "app/study/pushed/wall_openings.hpp"
 

@@ -1,6 +1,7 @@
 #include "app/study/pushed/pushed_wall.hpp"
 
 #include "app/input/keys/limit_state_text.hpp"
+#include "app/input/study/study.hpp"
 #include "app/reading/points_error.hpp"
 
 namespace app {

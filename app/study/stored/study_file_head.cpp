@@ -1,5 +1,6 @@
 #include "app/study/stored/study_file_head.hpp"
 
+#include "app/input/study/study.hpp"
 #include "app/input/study_reading.hpp"
 #include "app/input/wall/random_layouts.hpp"
 #include "app/store/continued_head.hpp"

@@ -180,7 +180,7 @@ StudyWalls study_of(const std::filesystem::path& file, const StoreHead& head,
     walls.rules = reading_rules(walls.study);
     walls.piers = piers_of(head.piers);
     walls.spandrels = spandrels_of(head.spandrels);
-    if (!walls.piers.empty()) walls.pier_rules = pier_rules(walls.study);
+    if (!walls.piers.empty()) walls.pier_rules = pier_rules(walls.study.fragility, walls.rules);
     walls.rules.by_piers = !walls.piers.empty();
     walls.states = state_names(walls.rules);
     walls.inputs = stored_inputs(head.inputs);

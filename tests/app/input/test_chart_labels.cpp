@@ -1,6 +1,7 @@
 /// Labels in pictures of curves: none covers another, a curve, a mark or the frame.
 
 #include "app/input/keys/limit_state_text.hpp"
+#include "app/input/study/study.hpp"
 #include "app/input/study/study_file.hpp"
 #include "app/input/study_reading.hpp"
 #include "app/input/wall/wall_geometry.hpp"

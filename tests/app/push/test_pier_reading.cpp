@@ -277,8 +277,10 @@ TEST_CASE("pier reading: a pier that keeps its shear has a mode so far and no dr
     idle.most_shear = 100.0;
     const dem::Pier pier{{0.0, 0.0, 0.5, 0.5}, 0.25, 1};
     const std::vector<double> x{0.0, 1e-3, 2e-3}, f{0.0, 40e3, 39e3};
-    const auto read = app::read_piers(app::pier_rules(with(kAlone)), std::vector(4, pier),
-                                      std::vector{keeps, falls, still, idle}, {x, f});
+    const app::Study alone = with(kAlone);
+    const auto read =
+        app::read_piers(app::pier_rules(alone.fragility, app::reading_rules(alone)),
+                        std::vector(4, pier), std::vector{keeps, falls, still, idle}, {x, f});
     CHECK(mode_text(read[0]) == "rocking so far");
     CHECK(app::is_so_far(mode_text(read[0])));
     CHECK(is_censored(read[0].own.ultimate));
