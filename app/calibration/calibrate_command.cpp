@@ -112,7 +112,7 @@ std::vector<OutputFile> files_of(const CalibrationReport& r, const std::string& 
     add_table(files, "further_wall", further_wall_table(r));
     add_table(files, "scatter", scatter_table(r));
     add_table(files, "evidence", evidence_table(r));
-    if (uq::has_converged(answer_of(*r.study, *r.run).posterior))
+    if (uq::has_converged(answer_of((*r.study).calibration, *r.run).posterior))
         files.push_back({kPosteriorFile, posterior_study(r, source)});
     return files;
 }
@@ -123,7 +123,7 @@ int write_posterior(const Command& command, const Csv& csv,
                     const CalibratedInputs& inputs, const StudyWalls& walls, Progress& progress)
 {
     CalibrationData data =
-        calibration_data(ready.study, inputs, walls,
+        calibration_data(ready.study.source, inputs, walls,
                          tested_quantities(test_readings(csv, ready.study.load.height)), tests);
     const CalibrationRun run = run_calibration(
         ready, inputs, data, command.threads,
@@ -136,7 +136,7 @@ int write_posterior(const Command& command, const Csv& csv,
     for (const Table& t :
          {teaching_table(r), further_wall_table(r), test_table(r), scatter_table(r)})
         std::cout << t.title << '\n' << as_text(t, width) << '\n';
-    const bool converged = uq::has_converged(answer_of(ready.study, run).posterior);
+    const bool converged = uq::has_converged(answer_of(ready.study.calibration, run).posterior);
     std::cout << wrapped(doubt_text(r), width) << "written to " << command.out
               << (converged ? std::string("; ") + kPosteriorFile +
                                   " there is a study with these draws"

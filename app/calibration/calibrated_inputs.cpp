@@ -15,47 +15,50 @@ namespace {
 
 constexpr const char* kKey = "calibration.inputs";
 
-[[noreturn]] void refuse(const Study& study, const std::string& why)
+[[noreturn]] void refuse(const StudyFile& source, const std::string& why)
 {
-    throw error_at(study.source, kKey, why);
+    throw error_at(source, kKey, why);
 }
 
 /// Places in Study::random, ascending.
-std::vector<std::size_t> places_of(const Study& study)
+std::vector<std::size_t> places_of(const CalibrationInput& calibration,
+                                   const std::vector<RandomInput>& random,
+                                   const StudyFile& source)
 {
     std::vector<std::size_t> places;
-    for (const std::string_view word : split(study.calibration.inputs, ",")) {
+    for (const std::string_view word : split(calibration.inputs, ",")) {
         if (word != "all")
-            places.push_back(input_named(study, word, kKey));
+            places.push_back(input_named(random, source, word, kKey));
         else
-            for (std::size_t i = 0; i < study.random.size(); ++i) places.push_back(i);
+            for (std::size_t i = 0; i < random.size(); ++i) places.push_back(i);
     }
     std::ranges::sort(places);
     if (std::ranges::adjacent_find(places) != places.end())
-        refuse(study, "names an input twice; keep one of them");
-    if (places.empty()) refuse(study, "no value of this study is a distribution");
+        refuse(source, "names an input twice; keep one of them");
+    if (places.empty()) refuse(source, "no value of this study is a distribution");
     return places;
 }
 
-void check_input(const Study& study, const RandomInput& r)
+void check_input(const UqInput& uq, const StudyFile& source, const RandomInput& r)
 {
-    if (study.uq.spatial != Spatial::none && r.varies != Varies::by_wall)
-        refuse(study, r.key + " varies from joint to joint, and tests teach one value for the "
-                              "wall; write uq.spatial = none");
+    if (uq.spatial != Spatial::none && r.varies != Varies::by_wall)
+        refuse(source, r.key + " varies from joint to joint, and tests teach one value for the "
+                               "wall; write uq.spatial = none");
     if (std::holds_alternative<uq::Constant>(r.marginal.shape))
-        refuse(study, r.key + " does not vary: there is nothing to learn; take it out");
-    const auto together = split(study.uq.together, ",");
+        refuse(source, r.key + " does not vary: there is nothing to learn; take it out");
+    const auto together = split(uq.together, ",");
     if (std::ranges::count(together, std::string_view(r.key)) > 0)
-        refuse(study, r.key +
-                          " stands row by row with others (uq.together), and a posterior is "
-                          "no prior here; calibrate the first study with all tests");
+        refuse(source, r.key +
+                           " stands row by row with others (uq.together), and a posterior is "
+                           "no prior here; calibrate the first study with all tests");
 }
 
 /// Correlation of the normal images of the inputs at these places.
-Eigen::MatrixXd correlation_of(const Study& study, const std::vector<std::size_t>& places)
+Eigen::MatrixXd correlation_of(const UqInput& uq, const std::vector<RandomInput>& random,
+                               const StudyFile& source, const std::vector<std::size_t>& places)
 {
     const auto n = static_cast<Eigen::Index>(places.size());
-    const auto dependence = dependence_of(study);
+    const auto dependence = dependence_of(uq, random, source);
     Eigen::MatrixXd rho = Eigen::MatrixXd::Identity(n, n);
     if (!dependence) return rho;
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -65,10 +68,10 @@ Eigen::MatrixXd correlation_of(const Study& study, const std::vector<std::size_t
             if (found != places.end())
                 rho(i, found - places.begin()) = dependence->rho_z(a, b);
             else if (dependence->rho_z(a, b) != 0.0)
-                refuse(study, study.random[static_cast<std::size_t>(a)].key +
-                                  " is correlated with " +
-                                  study.random[static_cast<std::size_t>(b)].key +
-                                  " (uq.pearson), which is not named; name both");
+                refuse(source, random[static_cast<std::size_t>(a)].key +
+                                   " is correlated with " +
+                                   random[static_cast<std::size_t>(b)].key +
+                                   " (uq.pearson), which is not named; name both");
         }
     }
     return rho;
@@ -84,17 +87,20 @@ int fewest_walls(std::size_t inputs)
 
 CalibratedInputs calibrated_inputs(const Study& study)
 {
-    const std::vector<std::size_t> places = places_of(study);
+    const std::vector<std::size_t> places =
+        places_of(study.calibration, study.random, study.source);
     CalibratedInputs c;
     c.all = places.size() == study.random.size();
     for (const std::size_t place : places) {
         const RandomInput& r = study.random[place];
-        check_input(study, r);
+        check_input(study.uq, study.source, r);
         const std::string_view unit = find_key(r.key)->unit;
         c.inputs.push_back({r.key, std::string(unit), from_si(1.0, unit), place, r.marginal});
     }
-    c.factor =
-        Eigen::LLT<Eigen::MatrixXd>(correlation_of(study, places)).matrixL().toDenseMatrix();
+    c.factor = Eigen::LLT<Eigen::MatrixXd>(
+                   correlation_of(study.uq, study.random, study.source, places))
+                   .matrixL()
+                   .toDenseMatrix();
     if (const int least = fewest_walls(places.size()); study.uq.samples < least)
         throw error_at(study.source, "uq.samples",
                        std::to_string(study.uq.samples) +

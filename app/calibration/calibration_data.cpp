@@ -118,7 +118,7 @@ void use_tests(CalibrationData& data, const std::vector<MeasuredTest>& tests)
 
 } // namespace
 
-CalibrationData calibration_data(const Study& study, const CalibratedInputs& inputs,
+CalibrationData calibration_data(const StudyFile& source, const CalibratedInputs& inputs,
                                  const StudyWalls& walls,
                                  const std::vector<TestedQuantity>& quantities,
                                  const std::vector<MeasuredTest>& tests)
@@ -135,14 +135,13 @@ CalibrationData calibration_data(const Study& study, const CalibratedInputs& inp
     if (data.tests.empty()) {
         std::string all;
         for (const std::string& r : data.remarks) all += " " + r;
-        throw error_at(study.source, "calibration.inputs",
-                       "no test is left to learn from." + all);
+        throw error_at(source, "calibration.inputs", "no test is left to learn from." + all);
     }
     if (std::ranges::all_of(data.tests, [&](const UsedTest& t) {
             const Eigen::VectorXd& y = data.answers[t.answer].points.y;
             return y.maxCoeff() - y.minCoeff() < 1e-9;
         }))
-        throw error_at(study.source, "calibration.inputs",
+        throw error_at(source, "calibration.inputs",
                        "what was measured is the same on all walls of the study: it does not "
                        "depend on the inputs, and tests teach nothing about them");
     return data;

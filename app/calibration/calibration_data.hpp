@@ -14,6 +14,8 @@
 
 namespace app {
 
+struct StudyFile;
+
 /// A quantity under a stress.
 struct CalibratedAnswer {
     std::size_t kind = 0;  ///< in CalibrationData::quantities
@@ -46,7 +48,7 @@ constexpr double kMostOutlasting = 0.1;
 /// or where no answer varies from wall to wall
 /// @param walls with their curves (Keep::everything)
 /// @param quantities that the table of the tests may have
-[[nodiscard]] CalibrationData calibration_data(const Study& study,
+[[nodiscard]] CalibrationData calibration_data(const StudyFile& source,
                                                const CalibratedInputs& inputs,
                                                const StudyWalls& walls,
                                                const std::vector<TestedQuantity>& quantities,

@@ -60,7 +60,7 @@ std::string density_picture(const CalibrationReport& r)
         prior.y.push_back(core::normal_density(prior.x.back()));
     }
     c.series.push_back(std::move(prior));
-    const Taught& answer = answer_of(*r.study, *r.run);
+    const Taught& answer = answer_of((*r.study).calibration, *r.run);
     for (std::size_t i = 0; i < r.inputs->inputs.size(); ++i) {
         std::vector<double> draws;
         for (const uq::CalibrationPoint& at : answer.points)
@@ -79,7 +79,8 @@ std::string further_wall_picture(const CalibrationReport& r, std::size_t kind)
     c.x_label = "vertical stress [MPa]";
     c.y_label = what;
     add_further(c, r, kind, r.run->prior, "prior", palette(2));
-    add_further(c, r, kind, answer_of(*r.study, *r.run).further, "with the tests", palette(0));
+    add_further(c, r, kind, answer_of((*r.study).calibration, *r.run).further, "with the tests",
+                palette(0));
     Series tests{.name = "tests", .colour = "#222", .line = LineStyle::none, .points = true};
     for (const UsedTest& used : r.data->tests) {
         const CalibratedAnswer& a = r.data->answers[used.answer];

@@ -28,7 +28,9 @@ WallDraw wall_at(const uq::SpatialPlan& others, const CalibratedInputs& inputs,
 
 bool is_pushed_again(const PreparedStudy& ready)
 {
-    return !has_layouts(ready.study) && !pushes_both_ways(ready.study, ready.layout) &&
+    return !has_layouts(ready.study.geometry) &&
+           !pushes_both_ways(ready.study.geometry, ready.study.load, ready.study.source,
+                             ready.layout) &&
            ready.study.uq.spatial == Spatial::none;
 }
 
@@ -44,7 +46,8 @@ Eigen::MatrixXd pushed_answers(const PreparedStudy& ready, const CalibratedInput
     Eigen::MatrixXd y =
         Eigen::MatrixXd::Constant(u.rows(), static_cast<Eigen::Index>(answers.size()),
                                   std::numeric_limits<double>::quiet_NaN());
-    const uq::SpatialPlan others = value_plan(ready.study, ready.layout, false);
+    const uq::SpatialPlan others =
+        value_plan(ready.study.uq, ready.study.random, ready.study.source, ready.layout, false);
     std::size_t done = 0;
     PushList list;
     list.size = rows * levels;

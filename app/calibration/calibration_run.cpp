@@ -31,7 +31,7 @@ void on_threads(std::size_t n, int threads, const std::function<void(std::size_t
     end_if_interrupted();
 }
 
-std::vector<AnswerSurrogate> surrogates_of(const Study& study, const CalibrationData& data,
+std::vector<AnswerSurrogate> surrogates_of(const StudyFile& source, const CalibrationData& data,
                                            int threads)
 {
     std::vector<AnswerSurrogate> all(data.answers.size());
@@ -39,14 +39,15 @@ std::vector<AnswerSurrogate> surrogates_of(const Study& study, const Calibration
         on_threads(all.size(), threads,
                    [&](std::size_t i) { all[i] = fit_answer(data.answers[i].points); });
     } catch (const std::invalid_argument& bad) {
-        throw error_at(study.source, "calibration.inputs",
+        throw error_at(source, "calibration.inputs",
                        std::string("no surrogate of the walls can be fitted: ") + bad.what());
     }
     return all;
 }
 
-uq::CalibrationProblem problem_of(const Study& study, const CalibratedInputs& inputs,
-                                  const CalibrationData& data, const CalibrationRun& run)
+uq::CalibrationProblem problem_of(const CalibrationInput& calibration,
+                                  const CalibratedInputs& inputs, const CalibrationData& data,
+                                  const CalibrationRun& run)
 {
     uq::CalibrationProblem p;
     p.inputs = static_cast<Eigen::Index>(inputs.inputs.size());
@@ -58,7 +59,7 @@ uq::CalibrationProblem problem_of(const Study& study, const CalibratedInputs& in
     for (const UsedTest& t : data.tests)
         p.tests.push_back({t.answer, std::log(t.value), t.at_least, t.error});
     p.model = run.model;
-    p.prior_scale = study.calibration.scatter;
+    p.prior_scale = calibration.scatter;
     return p;
 }
 
@@ -91,30 +92,31 @@ without_level(uq::CalibrationProblem p, const CalibrationData& data, std::size_t
     return p;
 }
 
-void fit_surrogates(CalibrationRun& run, const Study& study, const CalibratedInputs& inputs,
-                    const CalibrationData& data, int threads)
+void fit_surrogates(CalibrationRun& run, const StudyFile& source,
+                    const CalibratedInputs& inputs, const CalibrationData& data, int threads)
 {
-    run.surrogates = surrogates_of(study, data, threads);
+    run.surrogates = surrogates_of(source, data, threads);
     run.model = answer_model(run.surrogates, inputs.all);
 }
 
 /// The posterior that the study asks for, as far as it tells where to push walls.
-Taught first_taught(const CalibrationRun& run, const Study& study,
-                    const CalibratedInputs& inputs, const CalibrationData& data)
+Taught first_taught(const CalibrationRun& run, const UqInput& uq,
+                    const CalibrationInput& calibration, const CalibratedInputs& inputs,
+                    const CalibrationData& data)
 {
-    uq::CalibrationProblem problem = problem_of(study, inputs, data, run);
-    problem.discrepancy = study.calibration.discrepancy;
-    return taught(problem, study.uq.seed, short_chains());
+    uq::CalibrationProblem problem = problem_of(calibration, inputs, data, run);
+    problem.discrepancy = calibration.discrepancy;
+    return taught(problem, uq.seed, short_chains());
 }
 
-void teach_both(CalibrationRun& run, const Study& study, const CalibratedInputs& inputs,
-                const CalibrationData& data, int threads)
+void teach_both(CalibrationRun& run, const UqInput& uq, const CalibrationInput& calibration,
+                const CalibratedInputs& inputs, const CalibrationData& data, int threads)
 {
-    const uq::CalibrationProblem problem = problem_of(study, inputs, data, run);
+    const uq::CalibrationProblem problem = problem_of(calibration, inputs, data, run);
     on_threads(2, threads, [&](std::size_t i) {
         uq::CalibrationProblem p = problem;
         p.discrepancy = i == 0;
-        (i == 0 ? run.with : run.without) = taught(p, study.uq.seed);
+        (i == 0 ? run.with : run.without) = taught(p, uq.seed);
     });
 }
 
@@ -165,7 +167,8 @@ void check_by_pushes(CalibrationRun& run, const PreparedStudy& ready,
     };
     const Study& study = ready.study;
     const auto points = [&](std::size_t part) {
-        return checked_points(first_taught(run, study, inputs, data), part);
+        return checked_points(first_taught(run, study.uq, study.calibration, inputs, data),
+                              part);
     };
     const Eigen::MatrixXd u = points(0);
     const Eigen::MatrixXd y = pushed(u, 0);
@@ -174,7 +177,7 @@ void check_by_pushes(CalibrationRun& run, const PreparedStudy& ready,
     run.first_miss = run.miss;
     add_walls(data, u, y);
     seen(0.0, "learning these walls");
-    fit_surrogates(run, study, inputs, data, threads);
+    fit_surrogates(run, study.source, inputs, data, threads);
     const Eigen::MatrixXd other = points(1);
     run.miss = missed(run.model, other, pushed(other, 1));
 }
@@ -198,9 +201,9 @@ Eigen::MatrixXd prior_answers(const uq::CalibrationProblem& p, std::uint64_t see
 
 } // namespace
 
-const Taught& answer_of(const Study& study, const CalibrationRun& run)
+const Taught& answer_of(const CalibrationInput& calibration, const CalibrationRun& run)
 {
-    return study.calibration.discrepancy ? run.with : run.without;
+    return calibration.discrepancy ? run.with : run.without;
 }
 
 CalibrationRun run_calibration(const PreparedStudy& ready, const CalibratedInputs& inputs,
@@ -209,12 +212,12 @@ CalibrationRun run_calibration(const PreparedStudy& ready, const CalibratedInput
     const Study& study = ready.study;
     CalibrationRun run;
     seen(0.0, "learning the walls");
-    fit_surrogates(run, study, inputs, data, threads);
+    fit_surrogates(run, study.source, inputs, data, threads);
     if (is_pushed_again(ready)) check_by_pushes(run, ready, inputs, data, threads, seen);
     seen(0.0, "drawing from the posterior");
-    teach_both(run, study, inputs, data, threads);
+    teach_both(run, study.uq, study.calibration, inputs, data, threads);
     seen(0.6, "leaving out one stress after the other");
-    uq::CalibrationProblem problem = problem_of(study, inputs, data, run);
+    uq::CalibrationProblem problem = problem_of(study.calibration, inputs, data, run);
     problem.discrepancy = study.calibration.discrepancy;
     run.prior = prior_answers(problem, study.uq.seed);
     run.left_out.resize(study.load.vertical_stress.size());

@@ -13,6 +13,8 @@
 
 namespace app {
 
+struct CalibrationInput;
+
 constexpr std::size_t kPosteriorPoints = 2000; ///< that tables are made of
 constexpr double kTableShare = 0.90;           ///< of all intervals
 /// True walls under each stress at points of the posterior, and the error in ln of an answer
@@ -56,7 +58,8 @@ using CalibrationSeen = std::function<void(double done, const std::string& what)
                                              const CalibrationSeen& seen);
 
 /// The one of both that the study asks for.
-[[nodiscard]] const Taught& answer_of(const Study& study, const CalibrationRun& run);
+[[nodiscard]] const Taught& answer_of(const CalibrationInput& calibration,
+                                      const CalibrationRun& run);
 
 /// Median and interval of kTableShare of draws.
 struct DrawsSummary {

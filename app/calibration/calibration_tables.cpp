@@ -141,7 +141,7 @@ Table test_table(const CalibrationReport& r)
 
 Table scatter_table(const CalibrationReport& r)
 {
-    const Taught& answer = answer_of(*r.study, *r.run);
+    const Taught& answer = answer_of((*r.study).calibration, *r.run);
     Table t;
     t.title = "How wrong the model is, and how far tests scatter";
     t.caption = "Standard deviations of ln, median and 90 % interval. Surrogate: root mean "
@@ -195,7 +195,7 @@ Table evidence_table(const CalibrationReport& r)
 
 Table posterior_table(const CalibrationReport& r)
 {
-    const Taught& answer = answer_of(*r.study, *r.run);
+    const Taught& answer = answer_of((*r.study).calibration, *r.run);
     Table t;
     t.caption = "Points of the posterior, evenly over all chains.";
     t.keys = 1;

@@ -37,7 +37,7 @@ InputChange input_change(const CalibrationReport& r, std::size_t input)
                   {}};
     c.asked = r.study->calibration.discrepancy ? c.with : c.without;
     std::vector<double> scores;
-    for (const uq::CalibrationPoint& at : answer_of(*r.study, *r.run).points)
+    for (const uq::CalibrationPoint& at : answer_of((*r.study).calibration, *r.run).points)
         scores.push_back((r.inputs->factor * at.z)(i));
     c.moved = summary_of(scores).median;
     c.width_left = (c.asked.interval.upper - c.asked.interval.lower) /
@@ -102,7 +102,7 @@ std::string others_unconverged(const CalibrationReport& r)
 
 std::string doubt_text(const CalibrationReport& r)
 {
-    const uq::CalibrationPosterior& p = answer_of(*r.study, *r.run).posterior;
+    const uq::CalibrationPosterior& p = answer_of((*r.study).calibration, *r.run).posterior;
     std::string text;
     if (!uq::has_converged(p))
         text += "Not converged: the chains do not agree yet (R-hat " + fixed(p.r_hat, 3) +

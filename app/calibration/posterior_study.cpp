@@ -17,7 +17,7 @@ std::string empirical_text(const CalibrationReport& r, std::size_t input)
 {
     constexpr int kDigits = 6;
     const CalibratedInput& in = r.inputs->inputs[input];
-    const Taught& answer = answer_of(*r.study, *r.run);
+    const Taught& answer = answer_of((*r.study).calibration, *r.run);
     const std::size_t stride = answer.points.size() / kWrittenDraws;
     std::string text = in.key + "=empirical(";
     for (std::size_t k = 0; k < kWrittenDraws; ++k) {
@@ -65,7 +65,7 @@ std::string posterior_study(const CalibrationReport& r, const std::string& sourc
     if (r.inputs->inputs.size() > 1) values.push_back("uq.together=" + together);
     if (const std::string pairs = other_pairs(r); !pairs.empty())
         values.push_back("uq.pearson=" + pairs);
-    const Taught& answer = answer_of(*r.study, *r.run);
+    const Taught& answer = answer_of((*r.study).calibration, *r.run);
     for (std::size_t kind = 0; kind < r.data->quantities.size(); ++kind) {
         const TestedQuantity& q = r.data->quantities[kind];
         if (q.factor_key.empty()) continue;

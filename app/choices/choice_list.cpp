@@ -10,6 +10,7 @@
 #include "app/text/number_text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 #include <utility>
 
@@ -26,7 +27,9 @@ struct Alternative {
 
 struct Choice {
     std::string_view key;
-    std::vector<Alternative> (*alternatives)(const Study&);
+    std::vector<Alternative> (*alternatives)(const Study&) = nullptr; ///< nullptr: other words
+    std::array<std::string_view, 3> words = {};                       ///< of the key
+    std::string_view without = ""; ///< a key that no other word goes with
 };
 
 std::string assigned(std::string_view key, const std::string& value)
@@ -34,71 +37,40 @@ std::string assigned(std::string_view key, const std::string& value)
     return std::string(key) + "=" + value;
 }
 
-/// The words of a key that the study does not have.
-std::vector<Alternative> other_words(const Study& study, std::string_view name,
-                                     std::span<const std::string_view> words)
+std::vector<Alternative> kinematics(const dem::SolverOptions& solver)
 {
-    const Key& key = *find_key(name);
-    std::vector<Alternative> all;
-    for (const std::string_view word : words)
-        if (word != value_text(key, study))
-            all.push_back({std::string(word), {assigned(name, std::string(word))}});
-    return all;
-}
-
-std::vector<Alternative> kinematics(const Study& study)
-{
-    if (study.solver.kinematics == dem::Kinematics::small)
+    if (solver.kinematics == dem::Kinematics::small)
         return {{"finite", {"solver.kinematics=finite"}}};
     return {{"small", {"solver.kinematics=small", "load.top=dead", "load.link_length="}}};
 }
 
-std::vector<Alternative> top_load(const Study& study)
+std::vector<Alternative> base(const dem::WallGeometry& wall)
 {
-    constexpr std::string_view kWords[] = {"dead", "fixed_line", "follower"};
-    std::vector<Alternative> all = other_words(study, "load.top", kWords);
-    for (Alternative& a : all) a.assignments.emplace_back("load.link_length=");
-    return all;
-}
-
-std::vector<Alternative> base(const Study& study)
-{
-    if (study.wall.base == dem::Base::fixed) return {{"joint", {"wall.base=joint"}}};
+    if (wall.base == dem::Base::fixed) return {{"joint", {"wall.base=joint"}}};
     return {{"fixed", {"wall.base=fixed", "base.friction_angle="}}};
 }
 
-std::vector<Alternative> toe(const Study& study)
+std::vector<Alternative> interface(const dem::Beam& beam)
 {
-    constexpr std::string_view kWords[] = {"free", "held"};
-    return other_words(study, "wall.toe", kWords);
-}
-
-std::vector<Alternative> rotation(const Study& study)
-{
-    constexpr std::string_view kWords[] = {"free", "fixed"};
-    return other_words(study, "beam.rotation", kWords);
-}
-
-std::vector<Alternative> interface(const Study& study)
-{
-    if (study.beam.interface == dem::BeamInterface::tied)
+    if (beam.interface == dem::BeamInterface::tied)
         return {{"joint", {"beam.interface=joint"}}};
     return {{"tied", {"beam.interface=tied", "beam.friction_angle="}}};
 }
 
-std::vector<Alternative> crushing(const Study& study)
+std::vector<Alternative> crushing(const JointInput& joint)
 {
-    const double strength = study.parameters.joint.crushing.strength;
+    const double strength = joint.crushing.strength;
     if (!(strength > 0.0)) return {{"15 MPa", {"joint.compressive_strength=15 MPa"}}};
     const std::string half = number(0.5e-6 * strength, 4) + " MPa";
     return {{"none", {"joint.compressive_strength=none", "joint.crushing_energy="}},
             {half, {"joint.compressive_strength=" + half}}};
 }
 
-std::vector<Alternative> cracks(const Study& study)
+std::vector<Alternative> cracks(const GeometryInput& geometry, const CrackInput& cracks,
+                                const StudyFile& source)
 {
     std::vector<Alternative> all;
-    if (has_cracks(study))
+    if (has_cracks(geometry, cracks, source))
         all.push_back(
             {"none", {"unit.cracks=none", "unit.cracks_where=", "unit.cracks_elsewhere="}});
     else
@@ -109,9 +81,8 @@ std::vector<Alternative> cracks(const Study& study)
 }
 
 /// Joints of the same stiffness under the vertical stress, which close further or do not.
-std::vector<Alternative> closure(const Study& study)
+std::vector<Alternative> closure(const JointInput& joint, const LoadInput& load)
 {
-    const JointInput& joint = study.parameters.joint;
     constexpr const char* kRest[] = {"joint.wall_modulus=", "joint.wall_modulus_stress="};
     const auto with = [&](std::string after, Assignments more) {
         for (const char* const key : kRest) more.emplace_back(key);
@@ -119,7 +90,7 @@ std::vector<Alternative> closure(const Study& study)
     };
     if (closes(joint)) {
         std::string kn;
-        for (const double s : study.load.vertical_stress)
+        for (const double s : load.vertical_stress)
             kn +=
                 (kn.empty() ? "" : ", ") +
                 number((joint.closing.initial_stiffness + s / joint.closing.maximum) * 1e-9, 6);
@@ -134,48 +105,55 @@ std::vector<Alternative> closure(const Study& study)
                  "joint.maximum_closure=0.15374 mm"});
 }
 
-std::vector<Alternative> damping(const Study& study)
+std::vector<Alternative> direction(const LoadInput& load)
 {
-    constexpr std::string_view kWords[] = {"local", "combined"};
-    return other_words(study, "solver.damping", kWords);
-}
-
-std::vector<Alternative> direction(const Study& study)
-{
-    const int way = push_way(study).direction;
+    const int way = push_way(load).direction;
     if (way == 0) return {};
-    const bool left = study.load.direction == Direction::left;
+    const bool left = load.direction == Direction::left;
     return {{way > 0 ? "to the left" : "to the right",
              {std::string("load.direction=") + (left ? "right" : "left")}}};
 }
 
-std::vector<Alternative> layout(const Study& study)
+std::vector<Alternative> layout(const GeometryInput& geometry, const dem::WallGeometry& wall)
 {
-    if (study.geometry.rubble || study.wall.length_cov > 0.0)
-        return {{"seed " + std::to_string(study.wall.seed + 1),
-                 {"wall.seed=" + std::to_string(study.wall.seed + 1)}}};
+    if (geometry.rubble || wall.length_cov > 0.0)
+        return {{"seed " + std::to_string(wall.seed + 1),
+                 {"wall.seed=" + std::to_string(wall.seed + 1)}}};
     return {{"0.15", {"wall.unit_length_cov=0.15"}}};
 }
 
-std::vector<Alternative> fidelity(const Study& study)
-{
-    constexpr std::string_view kWords[] = {"simple", "standard"};
-    return other_words(study, "solver.fidelity", kWords);
-}
+constexpr Choice kChoices[] = {
+    {"solver.kinematics", asks<&Study::solver>([](auto& s) { return kinematics(s); })},
+    {"load.top", nullptr, {"dead", "fixed_line", "follower"}, "load.link_length"},
+    {"wall.base", asks<&Study::wall>([](auto& w) { return base(w); })},
+    {"wall.toe", nullptr, {"free", "held"}},
+    {"beam.rotation", nullptr, {"free", "fixed"}},
+    {"beam.interface", asks<&Study::beam>([](auto& b) { return interface(b); })},
+    {"joint.compressive_strength",
+     asks<&Study::parameters>([](auto& p) { return crushing(p.joint); })},
+    {"unit.cracks", asks<&Study::geometry, &Study::cracks, &Study::source>(
+                        [](auto&... parts) { return cracks(parts...); })},
+    {"joint.closure", asks<&Study::parameters, &Study::load>(
+                          [](auto& p, auto& l) { return closure(p.joint, l); })},
+    {"solver.damping", nullptr, {"local", "combined"}},
+    {"solver.fidelity", nullptr, {"simple", "standard"}},
+    {"load.direction", asks<&Study::load>([](auto& l) { return direction(l); })},
+    {"wall.unit_length_cov",
+     asks<&Study::geometry, &Study::wall>([](auto& g, auto& w) { return layout(g, w); })}};
 
-constexpr Choice kChoices[] = {{"solver.kinematics", kinematics},
-                               {"load.top", top_load},
-                               {"wall.base", base},
-                               {"wall.toe", toe},
-                               {"beam.rotation", rotation},
-                               {"beam.interface", interface},
-                               {"joint.compressive_strength", crushing},
-                               {"unit.cracks", cracks},
-                               {"joint.closure", closure},
-                               {"solver.damping", damping},
-                               {"solver.fidelity", fidelity},
-                               {"load.direction", direction},
-                               {"wall.unit_length_cov", layout}};
+std::vector<Alternative> alternatives_of(const Choice& choice, const Study& study)
+{
+    if (choice.alternatives != nullptr) return choice.alternatives(study);
+    const std::string own = value_text(*find_key(choice.key), study);
+    std::vector<Alternative> all;
+    for (const std::string_view word : choice.words) {
+        if (word.empty() || word == own) continue;
+        all.push_back({std::string(word), {assigned(choice.key, std::string(word))}});
+        if (!choice.without.empty())
+            all.back().assignments.push_back(assigned(choice.without, ""));
+    }
+    return all;
+}
 
 std::string key_of(const std::string& assignment)
 {
@@ -199,11 +177,11 @@ StudyFile changed_file(const StudyFile& file, const Assignments& assignments)
 std::string before_text(const Study& study, std::string_view key)
 {
     if (key == "load.direction")
-        return push_way(study).direction > 0 ? "to the right" : "to the left";
+        return push_way(study.load).direction > 0 ? "to the right" : "to the left";
     if (key == "unit.cracks")
-        return !has_cracks(study)             ? "none"
-               : study.cracks.pattern.empty() ? "mid"
-                                              : study.cracks.pattern;
+        return !has_cracks(study.geometry, study.cracks, study.source) ? "none"
+               : study.cracks.pattern.empty()                          ? "mid"
+                                                                       : study.cracks.pattern;
     const Entry* const entry = find_entry(study.source, key);
     return entry != nullptr ? entry->value : value_text(*find_key(key), study);
 }
@@ -235,7 +213,7 @@ std::vector<ChoiceChange> choice_changes(const std::string& path,
     std::vector<ChoiceChange> all;
     for (const Choice& choice : kChoices) {
         const std::string before = before_text(study, choice.key);
-        const std::vector<Alternative> others = choice.alternatives(study);
+        const std::vector<Alternative> others = alternatives_of(choice, study);
         if (others.empty())
             all.push_back(
                 {std::string(choice.key), before, "", {}, "the push goes to and fro", {}});

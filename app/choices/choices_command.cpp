@@ -35,8 +35,7 @@ ChoiceResult push_choice(const ChoiceChange& change, int level)
 {
     ChoiceResult r{change.key, change.before, change.after, change.not_applied, {}, 1.0};
     if (!change.not_applied.empty()) return r;
-    const Study& study = change.ready.study;
-    dem::PushPlan plan = push_plan(study);
+    dem::PushPlan plan = push_plan(change.ready.study);
     plan.snapshot_every = 0.0;
     plan.progress = [](const dem::PushProgress&) {
         if (interrupted()) throw Interrupted{"nothing was written"};
@@ -54,7 +53,7 @@ ChoiceResult push_choice(const ChoiceChange& change, int level)
             r.reading = std::move(wall.reading);
     };
     try {
-        push_walls(study, model_of(change.ready), plan, list, 1);
+        push_walls(change.ready.study, model_of(change.ready), plan, list, 1);
     } catch (const ConfigError& error) {
         r.reason = error.what();
     }
@@ -105,8 +104,7 @@ int choices_command(const Command& command)
             "\"" + command.study +
                 "\" is a file of results; write the study file that it was made from");
     const PreparedStudy ready = prepare(read_study(command.study, command.overrides));
-    const Study& study = ready.study;
-    const int level = level_of(study, command.level);
+    const int level = level_of(ready.study.load, command.level);
     std::vector<std::filesystem::path> names = {"choices.svg"};
     for (const char* const ending : kTableEndings)
         names.push_back(std::string("choices") + ending);
@@ -127,10 +125,10 @@ int choices_command(const Command& command)
     const Table table = choice_results(base, results);
     std::vector<OutputFile> files;
     add_table(files, "choices", table);
-    files.push_back(
-        {"choices.svg", tornado_svg(tornado(base, results),
-                                    "One choice at a time, " +
-                                        stress_text(study.load.vertical_stress.at(level)))});
+    files.push_back({"choices.svg",
+                     tornado_svg(tornado(base, results),
+                                 "One choice at a time, " +
+                                     stress_text(ready.study.load.vertical_stress.at(level)))});
     write_results(command.out, files, kChoicesList);
     std::cout << as_text(without_details(table), terminal_width()) << "written to "
               << command.out << '\n';

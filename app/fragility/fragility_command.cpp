@@ -43,8 +43,8 @@ DriftOptions options_of(const std::vector<std::string>& overrides)
                               "and fragility.bootstrap=... can be set");
     for (const std::string_view name : kNames)
         if (find_entry(study.source, name)) read_key(*find_key(name), study);
-    check_bootstrap(study);
-    return drift_options(study);
+    check_bootstrap(study.fragility, study.source);
+    return drift_options(study.uq, study.fragility);
 }
 
 /// A missing or damaged FILE.h5 is a study too: its reader says what is wrong with it.

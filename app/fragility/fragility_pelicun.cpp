@@ -17,7 +17,7 @@
 namespace app {
 namespace {
 
-struct Parameters {
+struct PelicunParameters {
     double median; ///< that of limits_with_doubt [rad]
     fragility::Dispersions dispersion;
     double factor;   ///< median of that factor [-]
@@ -36,7 +36,8 @@ std::optional<std::array<double, 3>> middle_drifts(const LimitDrifts& limits)
 
 /// A lognormal law of the drift limit of piers, which has no error of the model: through the
 /// median, and the distance of the 16 and 84 % drifts.
-Parameters pier_parameters(const std::array<double, 3>& middle, double radians, double end)
+PelicunParameters pier_parameters(const std::array<double, 3>& middle, double radians,
+                                  double end)
 {
     constexpr double kDeviates = 2.0 * 0.994457883209753; // of 16 and 84 %
     const double material = std::log(middle[2] / middle[0]) / kDeviates;
@@ -45,8 +46,8 @@ Parameters pier_parameters(const std::array<double, 3>& middle, double radians, 
 
 /// Median and dispersion of a limit state [rad]; nothing without.
 /// @param reasons why there is none
-std::optional<Parameters> parameters(const DriftData& data, std::size_t g, std::size_t state,
-                                     std::string& reasons)
+std::optional<PelicunParameters> parameters(const DriftData& data, std::size_t g,
+                                            std::size_t state, std::string& reasons)
 {
     if (!(data.percent > 0.0)) return {};
     const LimitDrifts limits = limit_drifts(data, g, state);
@@ -87,8 +88,8 @@ std::optional<Parameters> parameters(const DriftData& data, std::size_t g, std::
     }
     if (!of_one_law(limits.quantiles))
         reasons += name + "through the 16, 50 and 84 % drifts of the shares observed";
-    return Parameters{limit->quantiles[1].lower * radians, limit->dispersion,
-                      data.groups[g].model.factor.median, doubted, end};
+    return PelicunParameters{limit->quantiles[1].lower * radians, limit->dispersion,
+                             data.groups[g].model.factor.median, doubted, end};
 }
 
 std::vector<std::string> sets_of(const DriftData& data)
@@ -108,7 +109,7 @@ std::string id_part(const std::string& text)
 
 /// ", dispersion: material 0.5, sampling 0.07, model 0.4"; nothing without an error of the
 /// model
-std::string dispersion_text(const Parameters& p)
+std::string dispersion_text(const PelicunParameters& p)
 {
     if (!p.doubted) return {};
     return ", dispersion: material " + number(p.dispersion.material, 3) + ", sampling " +
@@ -117,7 +118,8 @@ std::string dispersion_text(const Parameters& p)
 }
 
 /// "0.5 MPa: LS1 tested up to 0.002 rad; LS2 tested up to 0.027 rad"
-std::string notes(const DriftGroup& group, const std::vector<std::optional<Parameters>>& found)
+std::string notes(const DriftGroup& group,
+                  const std::vector<std::optional<PelicunParameters>>& found)
 {
     std::string text = group.name + ":";
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -133,7 +135,7 @@ std::string notes(const DriftGroup& group, const std::vector<std::optional<Param
 std::string line(const DriftData& data, std::size_t group, const std::string& id,
                  const std::vector<std::size_t>& states)
 {
-    std::vector<std::optional<Parameters>> found;
+    std::vector<std::optional<PelicunParameters>> found;
     std::string rejection;
     for (const std::size_t s : states) found.push_back(parameters(data, group, s, rejection));
     const bool whole = std::ranges::all_of(found, [](const auto& p) { return p.has_value(); });

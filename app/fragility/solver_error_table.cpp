@@ -34,7 +34,7 @@ MeanPeak mean_peak(const StudyWalls& study, const StudyLevel& level)
         forces.push_back(force);
         m.is_known = m.is_known && std::isfinite(error);
         m.solver += error;
-        if (misses_accuracy(w.solver_error, study.study)) m.allowed += error;
+        if (misses_accuracy(w.solver_error, study.study.solver)) m.allowed += error;
     }
     m.mean = mean_of(forces, study.study.fragility.confidence);
     const auto n = static_cast<double>(std::max<std::size_t>(1, forces.size()));
@@ -76,8 +76,8 @@ std::string note_of(const StudyWalls& study, const WallErrors& e, const WallErro
 
 void add_level(const StudyWalls& study, const StudyLevel& level, Table& t)
 {
-    const WallErrors e = wall_errors(level, &StudyWall::solver_error, study.study),
-                     points = wall_errors(level, &StudyWall::points_error, study.study);
+    const WallErrors e = wall_errors(level, &StudyWall::solver_error, study.study.solver),
+                     points = wall_errors(level, &StudyWall::points_error, study.study.solver);
     const AuditDifferences d = audit_differences(level);
     const MeanPeak m = mean_peak(study, level);
     const core::Interval& sampling = m.mean.interval;

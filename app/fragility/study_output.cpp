@@ -56,10 +56,11 @@ std::string remarks_of(const StudyWalls& walls)
     if (walls.shard)
         text += walls.name + ": drystone merge puts the shards of a study together.\n";
     text += stored_share_text(walls);
-    if (!walls.pushed_one_way) text += backbone_text(walls.study).substr(1) + "\n";
+    if (!walls.pushed_one_way)
+        text += backbone_text(walls.study.load, walls.study.fragility).substr(1) + "\n";
     const auto layouts = static_cast<std::uint32_t>(walls.study.geometry.layouts);
     const bool repeated = walls.levels.size() > 1 || walls.head.design_sizes.back() > layouts;
-    if (has_layouts(walls.study) && repeated)
+    if (has_layouts(walls.study.geometry) && repeated)
         text += "The samples lie in " + std::to_string(layouts) +
                 " random layouts, the same under all stresses. Walls of one layout depend on "
                 "each other; intervals treat them as independent and are too narrow where "

@@ -35,10 +35,10 @@ std::string time_text(double seconds)
 }
 
 /// Values that make blocks and contacts fewer.
-std::string what_costs_less(const Study& study, bool beam)
+std::string what_costs_less(const GeometryInput& geometry, bool beam)
 {
     if (beam) return "a beam that is less high, longer units or fewer solver.contact_points";
-    if (study.geometry.file.ends_with(".png"))
+    if (geometry.file.ends_with(".png"))
         return "a larger wall.simplify or fewer solver.contact_points";
     return "fewer solver.contact_points or solver.zones_per_interval, or units with a larger "
            "length-to-height ratio";
@@ -49,13 +49,14 @@ std::string what_costs_less(const Study& study, bool beam)
 std::string push_note(const PreparedStudy& ready)
 {
     constexpr double kLong = 30.0; // [s]
-    const double updates = expected_updates(ready.study, ready.layout),
+    const double updates = expected_updates(ready.study.load, ready.study.discretisation,
+                                            ready.study.solver, ready.layout),
                  seconds = updates / kUpdatesPerSecond;
     if (seconds < kLong) return "";
     return "note: a push to its end takes about " + time_text(seconds) +
            " of a core, less where its limits are known before, more where it has to be "
            "repeated more slowly (solver.accuracy); " +
-           what_costs_less(ready.study, false) + " cost less\n";
+           what_costs_less(ready.study.geometry, false) + " cost less\n";
 }
 
 std::string cost_note(const PreparedStudy& ready, Purpose purpose)
@@ -64,8 +65,8 @@ std::string cost_note(const PreparedStudy& ready, Purpose purpose)
     constexpr double kSeconds = 10.0, kBytes = 1e9;
     const dem::BuildCost c = dem::build_cost(ready.layout, study.discretisation);
     const std::string text = "about " + time_text(c.seconds) + " and " + gigabytes(c.bytes);
-    const bool beam = c.beam && study.beam.height > wall_length(study);
-    const std::string less = what_costs_less(study, beam) + " cost less";
+    const bool beam = c.beam && study.beam.height > wall_length(study.wall, study.geometry);
+    const std::string less = what_costs_less(study.geometry, beam) + " cost less";
     const double available = memory();
     if (c.bytes > available && purpose == Purpose::push)
         throw error_at(study.source, beam ? "beam.height" : "solver.contact_points",

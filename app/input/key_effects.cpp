@@ -60,11 +60,11 @@ std::string effect_notes(const Study& study, const Verb& verb)
     return notes;
 }
 
-void refuse_drawn(const Study& study)
+void refuse_drawn(const UqInput& uq, const StudyFile& source)
 {
-    if (!study.uq.drawn.empty())
+    if (!uq.drawn.empty())
         throw error_at(
-            study.source, "uq.drawn",
+            source, "uq.drawn",
             "names one wall of the study, and only push and sheet read it; remove it");
 }
 
@@ -76,7 +76,7 @@ void refuse_both_ways(const PreparedStudy& ready, const Verb& verb)
     const Study& study = ready.study;
     constexpr VerbSet kOnce = "reliability serve";
     if (study.load.direction == Direction::both && is_given(study.source, "load.direction") &&
-        kOnce.has(verb.name) && push_way(study).direction != 0 &&
+        kOnce.has(verb.name) && push_way(study.load).direction != 0 &&
         !dem::is_symmetric(ready.layout))
         throw error_at(study.source, "load.direction",
                        "both is for push, sheet and study; here a wall is pushed once: write "
@@ -89,7 +89,7 @@ std::string study_notes(const PreparedStudy& ready, const Verb* verb)
 {
     if (verb == nullptr) return "";
     const Study& study = ready.study;
-    if (!reads(*verb, *find_key("uq.drawn"))) refuse_drawn(study);
+    if (!reads(*verb, *find_key("uq.drawn"))) refuse_drawn(study.uq, study.source);
     refuse_both_ways(ready, *verb);
     std::string notes = effect_notes(study, *verb);
     const std::string material = material_text(study.source);

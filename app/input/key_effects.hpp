@@ -10,6 +10,9 @@
 
 namespace app {
 
+struct StudyFile;
+struct UqInput;
+
 /// Whether the verb reads the key at all.
 [[nodiscard]] bool reads(const Verb& verb, const Key& key);
 
@@ -28,7 +31,7 @@ namespace app {
 [[nodiscard]] std::string push_note(const PreparedStudy& ready);
 
 /// @throws ConfigError where the study names one wall (uq.drawn)
-void refuse_drawn(const Study& study);
+void refuse_drawn(const UqInput& uq, const StudyFile& source);
 
 /// All notes on a study before it is run, for people: these, and what was closed, simplified or
 /// ignored of a drawing.

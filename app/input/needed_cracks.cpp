@@ -27,10 +27,9 @@ dem::CrackPattern coarse(const dem::CrackPattern& p)
     return {dem::CrackPattern::Kind::grid, 2, 2};
 }
 
-Study coarse_study(const Study& study)
+Study coarse_study(Study s)
 {
-    Study s = study;
-    s.wall.cracks.pattern = coarse(study.wall.cracks.pattern);
+    s.wall.cracks.pattern = coarse(s.wall.cracks.pattern);
     s.wall.cracks.where.clear();
     s.solver.accuracy = std::max(s.solver.accuracy, kCoarse);
     return s;
@@ -52,10 +51,10 @@ void add_used(const dem::Snapshot& wall, const dem::CrackMaterial& strength,
 std::set<int> used_units(const Study& study, const dem::Model& model)
 {
     dem::PushPlan plan = push_plan(study);
-    plan.snapshot_every = push_way(study).length / kLooks;
+    plan.snapshot_every = push_way(study.load).length / kLooks;
     std::set<int> units;
     for (int level = 0; level < static_cast<int>(study.load.vertical_stress.size()); ++level) {
-        const StressLevel at = stress_level(study, level);
+        const StressLevel at = stress_level(study.load, level);
         const dem::CrackMaterial strength =
             crack_material(study.parameters, study.wall.course_height, at);
         dem::WallMaterials w =

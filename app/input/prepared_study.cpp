@@ -20,13 +20,14 @@ namespace {
 dem::Layout laid_out(const Study& study)
 {
     const bool openings = !study.wall.openings.empty();
-    return read_at(study.source, openings ? "wall.openings" : geometry_key(study),
+    return read_at(study.source, openings ? "wall.openings" : geometry_key(study.geometry),
                    [&] { return layout_of(study); });
 }
 
 void find_needed_cracks(PreparedStudy& ready)
 {
-    if (!asks_for_needed_cracks(ready.study)) return;
+    if (!asks_for_needed_cracks(ready.study.geometry, ready.study.cracks, ready.study.source))
+        return;
     const auto boxes = read_at(ready.study.source, "unit.cracks_where",
                                [&] { return needed_cracks(ready.study); });
     put_cracks(boxes, ready.study);
@@ -38,11 +39,11 @@ void find_needed_cracks(PreparedStudy& ready)
 PreparedStudy lay_again(Study study)
 {
     grow_rubble(study);
-    if (!is_drawn(study)) check_pieces_of_units(study);
+    if (!is_drawn(study.geometry)) check_pieces_of_units(study);
     dem::Layout layout = laid_out(study);
     check_blocks(study, layout);
-    if (!is_drawn(study) && study.wall.base == dem::Base::fixed && !study.beam.present)
-        require_joints(study, layout);
+    if (!is_drawn(study.geometry) && study.wall.base == dem::Base::fixed && !study.beam.present)
+        require_joints(study.geometry, study.source, layout);
     return {std::move(study), std::move(layout)};
 }
 
@@ -54,17 +55,16 @@ PreparedStudy prepare(Study study)
     return ready;
 }
 
-PreparedStudy in_layout(const Study& study, std::uint32_t seed)
+PreparedStudy in_layout(Study study, std::uint32_t seed)
 {
-    Study own = study;
-    own.wall.seed = seed;
-    own.geometry.layouts = 1;
-    std::vector<Entry>& entries = own.source.entries;
+    study.wall.seed = seed;
+    study.geometry.layouts = 1;
+    std::vector<Entry>& entries = study.source.entries;
     std::erase_if(entries, [](const Entry& e) {
         return e.key == "wall.layouts" || e.key == "wall.seed";
     });
     entries.push_back({"wall.seed", std::to_string(seed)}); // as --set
-    return lay_again(std::move(own));
+    return lay_again(std::move(study));
 }
 
 dem::Model model_of(const PreparedStudy& ready)
@@ -72,9 +72,9 @@ dem::Model model_of(const PreparedStudy& ready)
     const Study& study = ready.study;
     const Parameters& p = study.parameters;
     const double h = study.wall.course_height;
-    const StressLevel first = stress_level(study, 0);
-    return read_at(study.source, geometry_key(study), [&] {
-        return dem::discretise(ready.layout, p.stone, study.beam, loads(study, 0),
+    const StressLevel first = stress_level(study.load, 0);
+    return read_at(study.source, geometry_key(study.geometry), [&] {
+        return dem::discretise(ready.layout, p.stone, study.beam, loads(study.load, 0),
                                {joint_material(p, h, first), crack_material(p, h, first)},
                                study.discretisation);
     });

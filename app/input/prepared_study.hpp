@@ -26,7 +26,7 @@ struct PreparedStudy {
 
 /// The study with this layout alone, as wall.seed would give it. Only its wall is laid again.
 /// @throws ConfigError if the layout makes no wall
-[[nodiscard]] PreparedStudy in_layout(const Study& study, std::uint32_t seed);
+[[nodiscard]] PreparedStudy in_layout(Study study, std::uint32_t seed);
 
 /// One for all levels: modes and masses of the first level's stiffness, which sets the step,
 /// not the answer. Each wall brings its own stress.

@@ -15,9 +15,8 @@ namespace app {
 namespace {
 
 /// The same wall, pushed one way until its limits are known.
-Study one_way_study(const Study& study)
+Study one_way_study(Study s)
 {
-    Study s = study;
     s.load.protocol = dem::Protocol::none;
     s.load.stop_below = 0.0;
     derive_stop_below(s);
@@ -28,8 +27,8 @@ Study one_way_study(const Study& study)
 fragility::LimitDisplacement ultimate_of_mean_wall(const Study& s, const dem::Model& model,
                                                    int level)
 {
-    const dem::WallMaterials w =
-        materials(s.parameters, s.wall.course_height, stress_level(s, level), model.layout);
+    const dem::WallMaterials w = materials(s.parameters, s.wall.course_height,
+                                           stress_level(s.load, level), model.layout);
     const dem::PushResult r = dem::push(model, w, push_plan(s), s.solver);
     if (dem::failed(r.outcome))
         throw error_at(s.source, "load.protocol_scale",

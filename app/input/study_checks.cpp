@@ -24,47 +24,46 @@
 namespace app {
 namespace {
 
-[[noreturn]] void refuse(const Study& study, std::string_view key, const std::string& why)
+[[noreturn]] void refuse(const StudyFile& source, std::string_view key, const std::string& why)
 {
-    throw error_at(study.source, key, why);
+    throw error_at(source, key, why);
 }
 
 constexpr double kMostPoints = 1e6; // of a curve
 
-void check_residuals(const Study& study)
+void check_residuals(const dem::CrackParameters& u, const StudyFile& source)
 {
-    const dem::CrackParameters& u = study.parameters.unit;
     if (u.residual_cohesion > u.cohesion) {
-        refuse(study, "unit.residual_cohesion",
+        refuse(source, "unit.residual_cohesion",
                "must be at most unit.cohesion, " + quantity_text(u.cohesion, "MPa"));
     }
     if (u.residual_friction_angle > u.friction_angle) {
-        refuse(study, "unit.residual_friction_angle",
+        refuse(source, "unit.residual_friction_angle",
                "must be at most unit.friction_angle, " +
                    quantity_text(u.friction_angle, "deg"));
     }
 }
 
-void check_bond(const Study& study)
+void check_bond(const dem::WallGeometry& wall, const GeometryInput& geometry,
+                const StudyFile& source)
 {
-    const dem::WallGeometry& wall = study.wall;
-    if (!in_courses(study)) return;
+    if (!in_courses(geometry)) return;
     if (wall.bond != dem::Bond::shifted && wall.header_length > wall.unit_length)
-        refuse(study, "wall.header_length",
+        refuse(source, "wall.header_length",
                "must be at most wall.unit_length, " + quantity_text(wall.unit_length, "m"));
     if (wall.bond != dem::Bond::shifted || wall.length_cov == 0.0) return;
     const double most = dem::most_length_cov(wall);
     if (wall.length_cov > most)
-        refuse(study, "wall.unit_length_cov",
+        refuse(source, "wall.unit_length_cov",
                "head joints would pass those of the next course; write at most " +
                    number(std::floor(most * 1e3) / 1e3, 3));
 }
 
-void check_length(const Study& study)
+void check_length(const dem::WallGeometry& wall, const GeometryInput& geometry,
+                  const StudyFile& source)
 {
-    const dem::WallGeometry& wall = study.wall;
-    if (!is_drawn(study) && wall.length < wall.unit_length) {
-        refuse(study, "wall.length",
+    if (!is_drawn(geometry) && wall.length < wall.unit_length) {
+        refuse(source, "wall.length",
                "must be at least one wall.unit_length, " +
                    quantity_text(wall.unit_length, "m"));
     }
@@ -74,12 +73,12 @@ void check_length(const Study& study)
 /// it has.
 void check_poisson(const Study& study)
 {
-    if (!any_pattern(study, dem::shares_stiffness)) return;
+    if (!any_pattern(study.geometry, study.cracks, study.source, dem::shares_stiffness)) return;
     const auto refuse_ratio = [&](std::string_view key, const dem::Elastic& stone,
                                   const std::string& whose) {
         const double rigidity = study.wall.cracks.rigidity;
         if (dem::between_cracks(stone, rigidity).poisson_ratio < 0.5) return;
-        refuse(study, key,
+        refuse(study.source, key,
                whose + number(stone.poisson_ratio, 6) + " must be below " +
                    number(0.5 * (1.0 - 1.0 / rigidity), 4) +
                    ", 0.5 (1 - 1 / unit.crack_rigidity), where unit.cracks divides units into "
@@ -93,16 +92,14 @@ void check_poisson(const Study& study)
 }
 
 /// Beyond this a block takes minutes and gigabytes to condense.
-void check_zones(const Study& study)
+void check_zones(const dem::Discretisation& d, const StudyFile& source)
 {
     constexpr int kMostZones = 100; // along a face of half a unit
-    const dem::Discretisation& d = study.discretisation;
     const int zones = (d.contact_points - 1) * d.zones_per_interval;
     if (zones > kMostZones)
-        refuse(study,
-               find_entry(study.source, "solver.zones_per_interval")
-                   ? "solver.zones_per_interval"
-                   : "solver.contact_points",
+        refuse(source,
+               find_entry(source, "solver.zones_per_interval") ? "solver.zones_per_interval"
+                                                               : "solver.contact_points",
                "makes " + std::to_string(zones) +
                    " zones along a face; (contact_points - 1) x zones_per_interval must be at "
                    "most " +
@@ -111,19 +108,20 @@ void check_zones(const Study& study)
 
 void check_load(const Study& study)
 {
-    const std::string unfit = unfit_height(study);
-    if (!unfit.empty()) refuse(study, "load.height", unfit);
+    const std::string unfit =
+        unfit_height(study.load, study.beam, wall_height(study.wall, study.geometry));
+    if (!unfit.empty()) refuse(study.source, "load.height", unfit);
     double previous = 0.0;
     for (const double target : study.load.targets) {
         if (target == previous) {
-            refuse(study, "load.targets",
+            refuse(study.source, "load.targets",
                    quantity_text(target, "mm") + " follows " + quantity_text(previous, "mm") +
                        "; each target must differ from the one before, the first from 0 mm");
         }
         previous = target;
     }
     if (!study.load.targets.empty() && !study.load.amplitudes.empty())
-        refuse(study, "load.amplitudes",
+        refuse(study.source, "load.amplitudes",
                "load.targets gives the displacements already; remove one of the two keys");
 }
 
@@ -132,108 +130,104 @@ void check_pattern(const Study& study)
 {
     const bool body = study.load.pattern == dem::LoadPattern::body;
     if (body && find_entry(study.source, "load.height"))
-        refuse(study, "load.height",
+        refuse(study.source, "load.height",
                "body forces act on every block; remove it, or write load.pattern = beam");
     if (body && study.beam.rotation == dem::BeamRotation::fixed)
-        refuse(study, "beam.rotation",
+        refuse(study.source, "beam.rotation",
                "body forces move the beam with the wall; write free, or load.pattern = beam");
     if (body && study.load.gravity == 0.0)
-        refuse(study, "load.gravity",
+        refuse(study.source, "load.gravity",
                "body forces are in proportion to weight; write 9.81 m/s2");
     const bool heavy_beam = study.beam.present && study.beam.material.density > 0.0;
     if (body && study.parameters.stone.density == 0.0 && !heavy_beam)
-        refuse(study, "stone.density",
+        refuse(study.source, "stone.density",
                "body forces are in proportion to weight; write for example 2300 kg/m3");
     if (study.beam.present) return;
     if (!body)
-        refuse(study, "beam.present",
+        refuse(study.source, "beam.present",
                "without a beam nothing pushes the wall; write load.pattern = body");
     for (const double stress : study.load.vertical_stress)
         if (stress > 0.0)
-            refuse(study, "load.vertical_stress",
+            refuse(study.source, "load.vertical_stress",
                    quantity_text(stress, "MPa") +
                        " has no beam to act on; write 0 MPa, or beam.present = yes");
 }
 
 /// Dry joints carry nothing that does not press on them.
-void check_pressed(const Study& study)
+void check_pressed(const JointInput& joint, const LoadInput& load, const StudyFile& source)
 {
-    const auto& levels = study.load.vertical_stress;
-    if (study.load.gravity > 0.0 || has_mortar(study) ||
-        *std::ranges::min_element(levels) > 0.0)
+    const auto& levels = load.vertical_stress;
+    if (load.gravity > 0.0 || has_mortar(joint) || *std::ranges::min_element(levels) > 0.0)
         return;
-    refuse(study,
-           find_entry(study.source, "load.gravity") ? "load.gravity" : "load.vertical_stress",
+    refuse(source, find_entry(source, "load.gravity") ? "load.gravity" : "load.vertical_stress",
            "without weight and under 0 MPa nothing presses on dry joints, and the wall carries "
            "nothing; write 9.81 m/s2, or a load.vertical_stress above 0 MPa");
 }
 
 /// How the vertical load follows matters to a wall that moves.
-void check_top_load(const Study& study)
+void check_top_load(const LoadInput& load, const dem::SolverOptions& solver,
+                    const StudyFile& source)
 {
-    const bool link = study.load.top == dem::TopLoad::link;
-    if (study.load.top != dem::TopLoad::dead &&
-        study.solver.kinematics == dem::Kinematics::small) {
-        refuse(study, "load.top",
+    const bool link = load.top == dem::TopLoad::link;
+    if (load.top != dem::TopLoad::dead && solver.kinematics == dem::Kinematics::small) {
+        refuse(source, "load.top",
                "makes no difference to small displacements; set solver.kinematics = finite");
     }
-    if (link && study.load.link_length == 0.0)
-        refuse(study, "load.link_length",
+    if (link && load.link_length == 0.0)
+        refuse(source, "load.link_length",
                "is needed by load.top = link: for example 2 m, or -2 m for a tendon below");
-    if (!link && study.load.link_length != 0.0)
-        refuse(study, "load.link_length", "has no effect without load.top = link; remove it");
+    if (!link && load.link_length != 0.0)
+        refuse(source, "load.link_length", "has no effect without load.top = link; remove it");
 }
 
 /// A protocol that no wall can finish.
-void check_steps(const Study& study)
+void check_steps(const LoadInput& load, const dem::SolverOptions& solver,
+                 const StudyFile& source)
 {
-    const PushWay way = push_way(study);
-    const double least = 1e3 * way.length * study.solver.steps_per_mm;
-    if (way.turns == 0 || study.load.stop_below > 0.0 ||
-        least <= static_cast<double>(study.solver.most_steps))
+    const PushWay way = push_way(load);
+    const double least = 1e3 * way.length * solver.steps_per_mm;
+    if (way.turns == 0 || load.stop_below > 0.0 ||
+        least <= static_cast<double>(solver.most_steps))
         return;
-    refuse(study, "solver.most_steps",
+    refuse(source, "solver.most_steps",
            "is less than the " + number(least, 3) + " steps that a path of " +
                quantity_text(way.length, "m") +
                " needs at least; ask for fewer cycles, or allow more steps");
 }
 
 /// The output that is kept must be more than nothing and fit into memory.
-void check_output(const Study& study)
+void check_output(const LoadInput& load, const OutputInput& out, const StudyFile& source)
 {
-    const PushWay way = push_way(study);
+    const PushWay way = push_way(load);
     const double path = way.length;
-    const OutputInput& out = study.output;
     if (out.record_every > path) {
-        refuse(study, "output.record_every",
+        refuse(source, "output.record_every",
                "must be at most the path of the push, " + quantity_text(path, "mm"));
     }
     if (path / out.record_every + way.turns * dem::Recorder::kAfterTurn > kMostPoints) {
-        refuse(study, "output.record_every", "makes more than 1000000 points; record fewer");
+        refuse(source, "output.record_every", "makes more than 1000000 points; record fewer");
     }
 }
 
 } // namespace
 
-std::string unfit_height(const Study& study)
+std::string unfit_height(const LoadInput& load, const dem::Beam& beam, double top)
 {
     constexpr double kRounding = 1e-9; // [m]
-    const double top = wall_height(study), height = study.load.height;
-    if (study.load.pattern == dem::LoadPattern::body || !study.beam.present) return "";
-    if (height >= top - kRounding && height <= top + study.beam.height + kRounding) return "";
+    if (load.pattern == dem::LoadPattern::body || !beam.present) return "";
+    if (load.height >= top - kRounding && load.height <= top + beam.height + kRounding)
+        return "";
     return "must lie within the loading beam, from " + quantity_text(top, "m") + " to " +
-           quantity_text(top + study.beam.height, "m") +
+           quantity_text(top + beam.height, "m") +
            "; without this key it is the top of the beam";
 }
 
-void check_cycles(const Study& study)
+void check_cycles(const LoadInput& load, const StudyFile& source)
 {
     constexpr double kMostTurns = kMostPoints / dem::Recorder::kAfterTurn;
-    const LoadInput& load = study.load;
     const double turns = 2.0 * load.repeats * static_cast<double>(load.amplitudes.size());
     if (turns > kMostTurns)
-        refuse(study,
-               find_entry(study.source, "load.repeats") ? "load.repeats" : "load.amplitudes",
+        refuse(source, find_entry(source, "load.repeats") ? "load.repeats" : "load.amplitudes",
                "makes a path with " + fixed(turns, 0) +
                    " turns; ask for fewer cycles, so that there are at most " +
                    fixed(kMostTurns, 0));
@@ -249,22 +243,23 @@ void check_blocks(const Study& study, const dem::Layout& layout)
         find_entry(study.source, "wall.bond") ? "wall.bond" : "wall.unit_length";
     const auto refuse_piece = [&](const std::string& what, double length) {
         if (openings_make_slivers(study, kSmallest))
-            refuse(study, "wall.openings",
+            refuse(study.source, "wall.openings",
                    what + " beside an opening or its lintel would be " +
                        number(std::round(length * 1e6) / 1e3, 17) +
                        " mm long; move or widen the opening, or change lintel.bearing, so that "
                        "none "
                        "is below 1 mm");
-        refuse(study, culprit,
+        refuse(study.source, culprit,
                what + " would be " + number(std::round(length * 1e6) / 1e3, 17) +
                    " mm long; choose wall.length, unit_length and bond so that none is below 1 "
                    "mm");
     };
-    if (!in_courses(study)) return; // as drawn
+    if (!in_courses(study.geometry)) return; // as drawn
     for (const dem::Block& b : layout.blocks) {
         const double extent = std::min(b.x1 - b.x0, b.z1 - b.z0);
         if (layout.divided && extent < kSmallest && cracks_make_slivers(study, kSmallest))
-            refuse(study, find_entry(study.source, "unit.cracks") ? "unit.cracks" : culprit,
+            refuse(study.source,
+                   find_entry(study.source, "unit.cracks") ? "unit.cracks" : culprit,
                    "makes pieces below 1 mm; write fewer pieces, or larger cells");
         if (b.x1 - b.x0 < kSmallest) refuse_piece("a unit", b.x1 - b.x0);
     }
@@ -277,29 +272,29 @@ void check_blocks(const Study& study, const dem::Layout& layout)
 
 void check_relations(const Study& study)
 {
-    check_residuals(study);
+    check_residuals(study.parameters.unit, study.source);
     check_joint_laws(study);
-    check_bond(study);
-    check_length(study);
-    check_zones(study);
+    check_bond(study.wall, study.geometry, study.source);
+    check_length(study.wall, study.geometry, study.source);
+    check_zones(study.discretisation, study.source);
     check_poisson(study);
     check_pattern(study);
     check_load(study);
-    check_pressed(study);
-    check_top_load(study);
-    check_output(study);
+    check_pressed(study.parameters.joint, study.load, study.source);
+    check_top_load(study.load, study.solver, study.source);
+    check_output(study.load, study.output, study.source);
     check_layouts(study);
-    check_steps(study);
-    check_bootstrap(study);
-    check_model_factors(study);
+    check_steps(study.load, study.solver, study.source);
+    check_bootstrap(study.fragility, study.source);
+    check_model_factors(study.fragility, study.source);
 }
 
-void check_bootstrap(const Study& study)
+void check_bootstrap(const FragilityInput& fragility, const StudyFile& source)
 {
     constexpr int kFewest = 100; // the smallest p-value is 1 / (samples + 1), and 0.01 rejects
-    const int samples = study.fragility.bootstrap;
+    const int samples = fragility.bootstrap;
     if (samples > 0 && samples < kFewest)
-        refuse(study, "fragility.bootstrap",
+        refuse(source, "fragility.bootstrap",
                std::to_string(samples) + " samples cannot reject a law at p < 0.01; write " +
                    std::to_string(kFewest) + " or more, or 0 for no tests");
 }

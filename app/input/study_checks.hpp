@@ -7,14 +7,19 @@
 
 namespace app {
 
+struct FragilityInput;
+struct LoadInput;
 struct Study;
+struct StudyFile;
 
 /// Checks that a push to and fro is not endless, before its path is made.
 /// @throws ConfigError at the value to change
-void check_cycles(const Study& study);
+void check_cycles(const LoadInput& load, const StudyFile& source);
 
 /// Why load.height does not fit the wall; empty if it does.
-[[nodiscard]] std::string unfit_height(const Study& study);
+/// @param top of the masonry [m]
+[[nodiscard]] std::string unfit_height(const LoadInput& load, const dem::Beam& beam,
+                                       double top);
 
 /// Refuses blocks and pieces of joint of a wall in courses that are too short.
 /// @throws ConfigError at the value to change
@@ -26,6 +31,6 @@ void check_relations(const Study& study);
 
 /// Checks the number of samples behind p-values, also where no study was read.
 /// @throws ConfigError where they are too few for a law to be rejected
-void check_bootstrap(const Study& study);
+void check_bootstrap(const FragilityInput& fragility, const StudyFile& source);
 
 } // namespace app

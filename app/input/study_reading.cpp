@@ -82,7 +82,8 @@ void derive(Study& study)
 
 void leave_out_unfit_height(Study& study)
 {
-    study.load.unfit_height = unfit_height(study);
+    study.load.unfit_height =
+        unfit_height(study.load, study.beam, wall_height(study.wall, study.geometry));
     if (!study.load.unfit_height.empty()) find_key("load.height")->derived.apply(study);
 }
 
@@ -99,8 +100,8 @@ Study read_study(const StudyFile& file, Purpose purpose)
     for (const Key& key : study_keys()) read_key(key, study);
     read_own_codes(study);
     for (const Key& key : study_keys()) refuse_unused(key, study);
-    check_cycles(study);
-    study.wall.toe_at_left = push_way(study).direction < 0;
+    check_cycles(study.load, study.source);
+    study.wall.toe_at_left = push_way(study.load).direction < 0;
     read_geometry(study);
     check_stiffness(study);
     derive(study);
@@ -138,8 +139,8 @@ std::string with_whole_paths(const Entry& entry, const StudyFile& file)
 /// A study stands alone: what was read from a drawing, or found out, stands in it.
 std::string written_value(const Key& key, const Entry* entry, const Study& study)
 {
-    if (is_drawn(study)) {
-        if (key.name == "wall.outlines") return outlines_text(study);
+    if (is_drawn(study.geometry)) {
+        if (key.name == "wall.outlines") return outlines_text(study.geometry);
         if (says_how_a_file_is_read(key)) return {};
     }
     if (key.name == "unit.cracks_where") return study.cracks.where;
@@ -154,9 +155,9 @@ std::string written_value(const Key& key, const Entry* entry, const Study& study
 }
 
 /// How often a draw would lie outside the range of its key, where it is cut off.
-std::string cut_text(const Key& key, const Study& study, bool first)
+std::string cut_text(const Key& key, const std::vector<RandomInput>& inputs, bool first)
 {
-    for (const RandomInput& random : study.random)
+    for (const RandomInput& random : inputs)
         if (random.key == key.name && random.cut > 0.0)
             return std::string(first ? "" : ", ") + "a share of " + number(random.cut, 2) +
                    " lies outside the range of this key and is cut off";
@@ -183,7 +184,7 @@ std::string effective_configuration(const Study& study)
             !study.random.empty() && is_derived(key, study) && !says_push_end(key);
         // Nor may the law of closure stand beside the moduli to which it is fitted.
         const bool fitted =
-            entry == nullptr && is_fitted_closure(study) &&
+            entry == nullptr && is_fitted_closure(study.parameters.joint) &&
             (key.name == "joint.initial_stiffness" || key.name == "joint.maximum_closure");
         // How results are read is no part of the walls: a later version reads them its own way.
         const bool reading =
@@ -204,8 +205,9 @@ std::string effective_configuration(const Study& study)
         if (key.name == "load.max_displacement" && !study.load.scaled.empty())
             mark =
                 "ultimate displacement of the mean wall pushed one way: " + study.load.scaled;
-        if (fitted) mark += ", fitted: residuals " + fit_residuals(study);
-        mark += cut_text(key, study, mark.empty());
+        if (fitted)
+            mark += ", fitted: residuals " + fit_residuals(study.wall, study.parameters);
+        mark += cut_text(key, study.random, mark.empty());
         if (!mark.empty()) line.resize(std::max<std::size_t>(line.size() + 2, 56), ' ');
         text += line + (mark.empty() ? "" : "# ") + mark + "\n";
     }

@@ -1,6 +1,5 @@
 #include "app/push/capacity_svg.hpp"
 
-#include "app/input/keys/limit_state_text.hpp"
 #include "app/study/answers/fragility_text.hpp"
 #include "app/study/pushed/both_ways.hpp"
 #include "app/study/stored/study_walls.hpp"
@@ -18,10 +17,10 @@ namespace app {
 namespace {
 
 /// "paper ultimate, ntc SLC 24.1 mm" for each displacement at which limit states are reached.
-void add_limits(const Study& study, const WallReading& r, double way, Chart& chart)
+void add_limits(const ReadingRules& rules, const WallReading& r, double way, Chart& chart)
 {
     if (!r.no_reading.empty()) return;
-    const std::vector<StateName> names = state_names(reading_rules(study));
+    const std::vector<StateName> names = state_names(rules);
     std::map<std::string, ReferenceLine> lines; // by what people read
     const auto add = [&](const std::string& name, const fragility::LimitDisplacement& d) {
         if (!is_observed(d)) return;
@@ -30,7 +29,7 @@ void add_limits(const Study& study, const WallReading& r, double way, Chart& cha
         line.at = way * at;
         line.label += (line.label.empty() ? "" : ", ") + name;
     };
-    add(percent_text(study.fragility.ultimate_share) + " of the peak", r.ultimate);
+    add(percent_text(rules.options.ultimate_share) + " of the peak", r.ultimate);
     for (std::size_t i = 0; i < names.size(); ++i) add(state_name(names[i]), r.limits.at(i));
     for (auto& [at, line] : lines) {
         line.label += " " + at;
@@ -39,7 +38,8 @@ void add_limits(const Study& study, const WallReading& r, double way, Chart& cha
 }
 
 /// @param last displacement of the curve, in its own direction [m]
-void add_marks(const Study& study, const WallReading& r, double way, double last, Chart& chart)
+void add_marks(const ReadingRules& rules, const WallReading& r, double way, double last,
+               Chart& chart)
 {
     if (r.peak) {
         constexpr double kNear =
@@ -50,7 +50,7 @@ void add_marks(const Study& study, const WallReading& r, double way, double last
             {way * r.peak->displacement * 1e3, way * r.peak->force * 1e-3,
              ends ? "largest force " + force + ", where the push ends" : "peak " + force});
     }
-    add_limits(study, r, way, chart);
+    add_limits(rules, r, way, chart);
 }
 
 /// A wall that is not symmetric leans when it is loaded, and is held at zero displacement.
@@ -135,12 +135,10 @@ Series curve_of(const PushedWall& w, double way = 1.0)
 std::string way_words(int direction) { return std::string("to the ") + way_name(direction); }
 
 /// The push the other way, drawn over the push itself. @return whether there is one
-bool add_other_way(const Study& study, const PushedWall& w, const std::string& prefix,
-                   Chart& chart)
+bool add_other_way(int direction, const PushedWall& w, const std::string& prefix, Chart& chart)
 {
     const PushedWall* const other = other_way_of(w);
     if (other == nullptr || dem::failed(other->result.outcome)) return false;
-    const int direction = push_way(study).direction;
     chart.series.back().name = prefix + way_words(direction);
     Series curve = curve_of(*other, -1.0);
     curve.name = prefix + way_words(-direction);
@@ -151,18 +149,17 @@ bool add_other_way(const Study& study, const PushedWall& w, const std::string& p
 
 } // namespace
 
-Chart capacity_chart(const Study& study, const PushedWall& w)
+Chart capacity_chart(const ReadingRules& rules, const PushedWall& w)
 {
     Chart chart = empty_chart(
         "Capacity curve, vertical stress " + stress_text(w.vertical_stress), w.loads.height);
     Series curve = curve_of(w);
-    const ReadingRules rules = reading_rules(study);
     // Readings count in the direction of the push.
-    double way = push_way(study).direction < 0 ? -1.0 : 1.0;
+    double way = rules.direction < 0 ? -1.0 : 1.0;
     bool both = false;
     if (w.reading.backbones.empty()) {
         chart.series.push_back(curve);
-        both = add_other_way(study, w, "", chart);
+        both = add_other_way(rules.direction, w, "", chart);
     } else {
         curve.width = 1.0;
         curve.name = "path of the push";
@@ -174,28 +171,28 @@ Chart capacity_chart(const Study& study, const PushedWall& w)
     double last = 0.0;
     if (w.reading.peak)
         last = capacity_curve({w.displacement, w.force}, rules).displacement.back();
-    add_marks(study, both ? worse_way(w) : w.reading, way, last, chart);
+    add_marks(rules, both ? worse_way(w) : w.reading, way, last, chart);
     return chart;
 }
 
-std::string capacity_svg(const Study& study, const PushedWall& w,
+std::string capacity_svg(const ReadingRules& rules, const PushedWall& w,
                          const std::vector<TestCurve>& beside)
 {
-    Chart chart = capacity_chart(study, w);
+    Chart chart = capacity_chart(rules, w);
     if (!beside.empty() && chart.series.size() == 1) chart.series.front().name = "computed";
     add_tests(beside, chart);
     return line_chart(chart);
 }
 
-std::string levels_svg(const Study& study, const std::vector<PushedWall>& walls,
+std::string levels_svg(const ReadingRules& rules, const std::vector<PushedWall>& walls,
                        const std::vector<TestCurve>& beside)
 {
-    Chart chart = empty_chart("Capacity curves, by vertical stress", study.load.height);
+    Chart chart = empty_chart("Capacity curves, by vertical stress", rules.height);
     for (const PushedWall& w : walls) {
         if (dem::failed(w.result.outcome)) continue;
         chart.series.push_back(curve_of(w));
         chart.series.back().name = stress_text(w.vertical_stress);
-        add_other_way(study, w, stress_text(w.vertical_stress) + ", ", chart);
+        add_other_way(rules.direction, w, stress_text(w.vertical_stress) + ", ", chart);
     }
     add_tests(beside, chart);
     return line_chart(chart);

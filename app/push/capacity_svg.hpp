@@ -11,15 +11,16 @@
 namespace app {
 
 /// Force against displacement and drift, the peak and all limit displacements marked.
-[[nodiscard]] Chart capacity_chart(const Study& study, const PushedWall& wall);
+[[nodiscard]] Chart capacity_chart(const ReadingRules& rules, const PushedWall& wall);
 
 /// SVG: force against displacement and drift, the peak and the limit displacement marked.
 /// @param beside measured curves, drawn dashed
-[[nodiscard]] std::string capacity_svg(const Study& study, const PushedWall& wall,
+[[nodiscard]] std::string capacity_svg(const ReadingRules& rules, const PushedWall& wall,
                                        const std::vector<TestCurve>& beside = {});
 
 /// All stress levels in one picture.
-[[nodiscard]] std::string levels_svg(const Study& study, const std::vector<PushedWall>& walls,
+[[nodiscard]] std::string levels_svg(const ReadingRules& rules,
+                                     const std::vector<PushedWall>& walls,
                                      const std::vector<TestCurve>& beside = {});
 
 } // namespace app

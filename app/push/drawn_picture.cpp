@@ -93,7 +93,8 @@ std::string draw_scale(Pixel at, double width, const RandomInput& input, double 
 
 } // namespace
 
-std::string drawn_picture(const Study& study, const dem::Layout& layout, const WallDraw& draw)
+std::string drawn_picture(const std::vector<RandomInput>& random, const dem::Layout& layout,
+                          const WallDraw& draw)
 {
     std::vector<std::size_t> shown;
     for (std::size_t i = 0; i < draw.values.size(); ++i)
@@ -114,7 +115,7 @@ std::string drawn_picture(const Study& study, const dem::Layout& layout, const W
         svg_text({kPageMargin, 46.0}, "each from the smallest to the largest of this wall",
                  "font-size=\"12\"");
     for (std::size_t k = 0; k < shown.size(); ++k) {
-        const RandomInput& input = study.random[shown[k]];
+        const RandomInput& input = random[shown[k]];
         const std::vector<double>& values = draw.values[shown[k]];
         const auto [least, most] = std::ranges::minmax(values);
         double mean = 0.0;

@@ -8,10 +8,12 @@
 
 namespace app {
 
+struct RandomInput;
+
 /// An SVG picture with a panel for each input that has a value per joint or per crack, which
 /// is coloured from the smallest to the largest of this wall. Empty where there is none.
 /// @param draw of this study and layout
-[[nodiscard]] std::string drawn_picture(const Study& study, const dem::Layout& layout,
-                                        const WallDraw& draw);
+[[nodiscard]] std::string drawn_picture(const std::vector<RandomInput>& random,
+                                        const dem::Layout& layout, const WallDraw& draw);
 
 } // namespace app

@@ -1,5 +1,6 @@
 #include "app/push/hand_checks.hpp"
 
+#include "app/input/keys/limit_state_text.hpp"
 #include "app/input/wall/wall_geometry.hpp"
 #include "app/push/pier_table.hpp"
 #include "app/reading/points_error.hpp"
@@ -38,11 +39,11 @@ void add(std::string remark, std::vector<std::string>& remarks)
 }
 
 /// Small displacements leave a joint the contact that it was built with, however far it slides.
-void add_slid_off(const Study& study, const PushedWall& w, std::vector<std::string>& remarks)
+void add_slid_off(const dem::SolverOptions& solver, const PushedWall& w,
+                  std::vector<std::string>& remarks)
 {
     constexpr double kFar = 0.25; // of its length: a free choice
-    if (study.solver.kinematics != dem::Kinematics::small || dem::failed(w.result.outcome))
-        return;
+    if (solver.kinematics != dem::Kinematics::small || dem::failed(w.result.outcome)) return;
     if (const auto joint = dem::slid_joint(w.result.at_end, kFar))
         remarks.push_back(
             "at the end of the push a joint that is " + fixed(1e3 * joint->length, 0) +
@@ -70,12 +71,11 @@ void add_slow_start(const PushedWall& w, std::vector<std::string>& remarks)
 }
 
 /// A beam that slides on the wall is the limit of the test, not of the wall.
-void add_sliding_beam(const Study& study, const PushedWall& w,
+void add_sliding_beam(const dem::Beam& beam, const PushedWall& w,
                       std::vector<std::string>& remarks)
 {
     constexpr double kMost = 0.5; // of the displacement: a free choice
-    if (study.beam.interface != dem::BeamInterface::joint || dem::failed(w.result.outcome))
-        return;
+    if (beam.interface != dem::BeamInterface::joint || dem::failed(w.result.outcome)) return;
     const dem::Snapshot& out = w.result.at_farthest.value_or(w.result.at_end);
     const double slip = dem::beam_slip(out), pushed = std::abs(out.displacement);
     if (slip > kMost * pushed)
@@ -87,12 +87,13 @@ void add_sliding_beam(const Study& study, const PushedWall& w,
 }
 
 /// Where joints do not crush, a wall turns about a toe that no stone could be.
-void add_toe_stress(const Study& study, const HandChecks& h, std::vector<std::string>& remarks)
+void add_toe_stress(const Parameters& parameters, const HandChecks& h,
+                    std::vector<std::string>& remarks)
 {
     constexpr double kRatio =
         10.0; // of strengths in compression and tension of stones: a free choice
-    const double tension = study.parameters.unit.tensile_strength;
-    const bool crushes = study.parameters.joint.crushing.strength > 0.0;
+    const double tension = parameters.unit.tensile_strength;
+    const bool crushes = parameters.joint.crushing.strength > 0.0;
     if (crushes || !h.toe_stress || !(tension > 0.0) || *h.toe_stress <= kRatio * tension)
         return;
     remarks.push_back("the toe carries " + fixed(1e-6 * *h.toe_stress, 1) +
@@ -113,17 +114,19 @@ void add_lost(const PushedWall& w, std::vector<std::string>& remarks)
 }
 
 /// The drive was faster than the accuracy allows.
-void add_inaccurate(const Study& study, const PushedWall& w, std::vector<std::string>& remarks)
+void add_inaccurate(const dem::SolverOptions& solver, const PushedWall& w,
+                    std::vector<std::string>& remarks)
 {
-    if (misses_accuracy(solver_error(w), study))
+    if (misses_accuracy(solver_error(w), solver))
         remarks.push_back("the peak force may be wrong by " + error_text(solver_error(w)) +
                           " because of the speed of the push, more than the " +
-                          error_text(study.solver.accuracy) +
+                          error_text(solver.accuracy) +
                           " asked for (solver.accuracy); a smaller one slows it");
 }
 
 /// The force touches the ultimate share of the peak, or falls slowly there.
-void add_wide_fall(const Study& study, const PushedWall& w, std::vector<std::string>& remarks)
+void add_wide_fall(const FragilityInput& fragility, const PushedWall& w,
+                   std::vector<std::string>& remarks)
 {
     constexpr double kWide = 0.1; // of the ultimate displacement, a free choice
     if (!(ultimate_error(w.reading) > kWide)) return;
@@ -133,7 +136,7 @@ void add_wide_fall(const Study& study, const PushedWall& w, std::vector<std::str
                       (is_censored(range.latest) ? "more than " : "") +
                       fixed(1e3 * range.latest.displacement, 2) +
                       " mm, because the force stays so close to " +
-                      percent_text(study.fragility.ultimate_share) +
+                      percent_text(fragility.ultimate_share) +
                       " of the peak that the solver error decides where it is down to that; a "
                       "smaller solver.accuracy may narrow it");
 }
@@ -149,10 +152,11 @@ void add_load_factor(const PushedWall& w, std::vector<std::string>& remarks)
 }
 
 /// Faces that rock have few contact points under pressure.
-void add_few_points(const Study& study, const PushedWall& w, std::vector<std::string>& remarks)
+void add_few_points(const dem::SolverOptions& solver, const PushedWall& w,
+                    std::vector<std::string>& remarks)
 {
     const double error = points_error(w.result);
-    if (error > study.solver.accuracy)
+    if (error > solver.accuracy)
         remarks.push_back("the force may be wrong by " + error_text(error) +
                           " of the peak because of the few contact points on faces that rock, "
                           "which the solver error leaves out; write a larger "
@@ -176,23 +180,22 @@ void add_coarse_peak(const PushedWall& w, std::vector<std::string>& remarks)
 
 /// A wall that is drawn, has openings, or is bonded by mortar, has no closed form here: its
 /// loads alone.
-HandChecks loads_alone(const Study& study, const PushedWall& w, const dem::Layout& layout)
+HandChecks loads_alone(const dem::Elastic& stone, const dem::Beam& beam, const PushedWall& w,
+                       const dem::Layout& layout)
 {
-    const dem::Weights weights =
-        dem::weights_of(layout, study.parameters.stone, study.beam.material, w.loads.gravity);
+    const dem::Weights weights = dem::weights_of(layout, stone, beam.material, w.loads.gravity);
     HandChecks h;
     h.vertical_load = weights.beam;
     h.wall_weight = weights.free; // the floor carries the rest
-    if (study.beam.present)
-        h.vertical_load += w.vertical_stress * layout.length * layout.thickness;
+    if (beam.present) h.vertical_load += w.vertical_stress * layout.length * layout.thickness;
     return h;
 }
 
 /// Compares a peak with the limits of a wall that can turn.
 /// @param slides whether anything in it can slide
-void add_beyond_limits(const Study& study, bool slides, double peak, HandChecks& h)
+void add_beyond_limits(const dem::Beam& beam, bool slides, double peak, HandChecks& h)
 {
-    const bool turns = study.beam.rotation == dem::BeamRotation::free;
+    const bool turns = beam.rotation == dem::BeamRotation::free;
     if (turns) add_beyond("rigid rocking", peak, *h.rocking_limit, h.remarks);
     if (h.sliding_limit) add_beyond("sliding", peak, *h.sliding_limit, h.remarks);
     if (turns) return;
@@ -235,7 +238,8 @@ HandChecks limits_of(const Study& study, const PushedWall& w)
                   "the beam; only cracks and crushing can end the wall"
                 : "a single course on a fixed base: nothing can move");
     if (rigid.turning > 0)
-        add_beyond_limits(study, std::isfinite(rigid.sliding_limit), peak_force(w.reading), h);
+        add_beyond_limits(study.beam, std::isfinite(rigid.sliding_limit), peak_force(w.reading),
+                          h);
     return h;
 }
 
@@ -244,22 +248,24 @@ HandChecks limits_of(const Study& study, const PushedWall& w)
 HandChecks hand_checks(const Study& study, const dem::Layout& layout, const PushedWall& w)
 {
     const bool closed_form = layout.coursed && !layout.mortar && study.wall.openings.empty();
-    HandChecks h = closed_form ? limits_of(study, w) : loads_alone(study, w, layout);
+    HandChecks h = closed_form ? limits_of(study, w)
+                               : loads_alone(study.parameters.stone, study.beam, w, layout);
     if (!dem::failed(w.result.outcome))
         h.toe_stress = dem::toe_stress(w.result.at_end, study.wall.base);
     add_load_factor(w, h.remarks);
-    add(no_limit_remark(study, w.reading), h.remarks);
+    add(no_limit_remark(study.load, study.solver, study.fragility, w.reading), h.remarks);
     add(no_yield_remark(w.reading), h.remarks);
-    add(other_way_remark(study, layout, w), h.remarks);
-    if (w.piers.empty()) add(pier_remark(study), h.remarks);
-    for (std::string& remark : piers_remarks(study, w)) add(std::move(remark), h.remarks);
-    add_inaccurate(study, w, h.remarks);
-    add_wide_fall(study, w, h.remarks);
-    add_few_points(study, w, h.remarks);
+    add(other_way_remark(study.load, study.source, layout, w), h.remarks);
+    const ReadingRules rules = reading_rules(study);
+    if (w.piers.empty()) add(pier_remark(rules, study.wall, study.geometry), h.remarks);
+    for (std::string& remark : piers_remarks(rules, w)) add(std::move(remark), h.remarks);
+    add_inaccurate(study.solver, w, h.remarks);
+    add_wide_fall(study.fragility, w, h.remarks);
+    add_few_points(study.solver, w, h.remarks);
     add_coarse_peak(w, h.remarks);
-    add_slid_off(study, w, h.remarks);
-    add_sliding_beam(study, w, h.remarks);
-    add_toe_stress(study, h, h.remarks);
+    add_slid_off(study.solver, w, h.remarks);
+    add_sliding_beam(study.beam, w, h.remarks);
+    add_toe_stress(study.parameters, h, h.remarks);
     add_lost(w, h.remarks);
     add_unsettled(w, h.remarks);
     add_slow_start(w, h.remarks);

@@ -1,5 +1,6 @@
 #include "app/push/level_table.hpp"
 
+#include "app/input/study/load_input.hpp"
 #include "app/study/answers/fragility_text.hpp"
 #include "app/study/answers/mode_rule.hpp"
 #include "app/study/answers/number_cells.hpp"
@@ -32,16 +33,17 @@ TableColumn<LevelRow> number_of(const WallNumber& n, unsigned holds = 0)
 
 } // namespace
 
-Table level_table(const Study& study, const std::vector<PushedWall>& walls)
+Table level_table(const LoadInput& load, const FragilityInput& fragility,
+                  const std::vector<PushedWall>& walls)
 {
     Table t;
     t.title = "Capacity per vertical stress";
-    t.caption = "Ultimate: the " + ultimate_text(study.fragility) +
+    t.caption = "Ultimate: the " + ultimate_text(fragility) +
                 "; '>' marks walls whose force had not come down so far when the push "
                 "ended. Solver error: of the peak, by the speed of the push." +
-                backbone_text(study);
+                backbone_text(load, fragility);
     const bool both = std::ranges::any_of(walls, other_way_of);
-    const int direction = push_way(study).direction;
+    const int direction = push_way(load).direction;
     std::vector<LevelRow> rows;
     for (const PushedWall& w : walls) {
         rows.push_back({&w, way_name(direction)});

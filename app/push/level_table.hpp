@@ -8,7 +8,11 @@
 
 namespace app {
 
+struct FragilityInput;
+struct LoadInput;
+
 /// One row for each stress; one for each direction where a wall was pushed both ways.
-[[nodiscard]] Table level_table(const Study& study, const std::vector<PushedWall>& walls);
+[[nodiscard]] Table level_table(const LoadInput& load, const FragilityInput& fragility,
+                                const std::vector<PushedWall>& walls);
 
 } // namespace app

@@ -1,6 +1,5 @@
 #include "app/push/limit_table.hpp"
 
-#include "app/input/keys/limit_state_text.hpp"
 #include "app/push/pier_table.hpp"
 #include "app/study/answers/number_cells.hpp"
 #include "app/study/pushed/both_ways.hpp"
@@ -22,7 +21,7 @@ struct LimitRow {
 
 } // namespace
 
-Table limit_table(const Study& study, const std::vector<PushedWall>& walls)
+Table limit_table(ReadingRules rules, const std::vector<PushedWall>& walls)
 {
     Table t;
     t.title = "Limit states";
@@ -30,7 +29,6 @@ Table limit_table(const Study& study, const std::vector<PushedWall>& walls)
         "Limit states of each wall; '>' marks limit states that the wall had not reached when "
         "the push ended.";
     t.keys = 2;
-    ReadingRules rules = reading_rules(study);
     rules.by_piers = std::ranges::any_of(walls, [](const auto& w) { return !w.piers.empty(); });
     const std::vector<StateName> names = state_names(rules);
     for (const StateName& n : names) t.caption += " " + state_name(n) + ": " + n.rule + ".";
@@ -50,12 +48,12 @@ Table limit_table(const Study& study, const std::vector<PushedWall>& walls)
     if (std::ranges::any_of(walls, other_way_of)) {
         t.caption += " Of both directions, the one that reaches the limit state first.";
         columns.push_back({"pushed to the", [&](const LimitRow& r) {
-                               return worse_way_name(study, *r.wall, r.state);
+                               return worse_way_name(rules.direction, *r.wall, r.state);
                            }});
     }
     columns.push_back({{"note", kNote}, [&](const LimitRow& r) {
                            return std::string(r.limit.reason) +
-                                  pier_note(study, worse_push(*r.wall, r.state), names[r.state],
+                                  pier_note(rules, worse_push(*r.wall, r.state), names[r.state],
                                             r.state);
                        }});
     fill(t, columns, rows);

@@ -8,6 +8,6 @@
 
 namespace app {
 
-[[nodiscard]] Table limit_table(const Study& study, const std::vector<PushedWall>& walls);
+[[nodiscard]] Table limit_table(ReadingRules rules, const std::vector<PushedWall>& walls);
 
 } // namespace app

@@ -1,5 +1,6 @@
 #include "app/push/pier_picture.hpp"
 
+#include "app/input/study/load_input.hpp"
 #include "app/input/wall/wall_geometry.hpp"
 #include "app/output/picture/svg_elements.hpp"
 #include "app/study/answers/fragility_text.hpp"
@@ -86,10 +87,12 @@ std::string draw_spandrel(const SpandrelReading& s, const Places& place)
 
 } // namespace
 
-std::string pier_picture(const Study& study, const dem::Layout& layout, const PushedWall& wall)
+std::string pier_picture(const dem::WallGeometry& courses, const GeometryInput& geometry,
+                         const LoadInput& load, const dem::Layout& layout,
+                         const PushedWall& wall)
 {
     constexpr double kWide = 900.0, kHigh = 700.0; // [px], at most
-    const dem::Region extent = wall_extent(study);
+    const dem::Region extent = wall_extent(courses, geometry);
     const double length = extent.x1 - extent.x0, height = extent.z1 - extent.z0;
     const Places place{extent, std::min(kWide / length, kHigh / height)};
     std::string body = draw_stones(layout, place);
@@ -97,7 +100,7 @@ std::string pier_picture(const Study& study, const dem::Layout& layout, const Pu
         body += draw_pier(wall.piers[i], i + 1, place);
     for (const SpandrelReading& s : wall.spandrels) body += draw_spandrel(s, place);
     const std::string title = "Piers under " + stress_text(wall.vertical_stress) +
-                              ", pushed to the " + way_name(push_way(study).direction);
+                              ", pushed to the " + way_name(push_way(load).direction);
     body += svg_text({kMargin, 26.0}, title, "font-size=\"17\" font-weight=\"bold\"") +
             svg_text({kMargin, 46.0},
                      "N, V: compression and shear when the wall carries most; drift over the "

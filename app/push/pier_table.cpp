@@ -1,6 +1,5 @@
 #include "app/push/pier_table.hpp"
 
-#include "app/input/keys/limit_state_text.hpp"
 #include "app/study/answers/number_cells.hpp"
 #include "app/study/pushed/both_ways.hpp"
 #include "app/study/pushed/pier_remark.hpp"
@@ -19,19 +18,18 @@ struct CapState {
     std::string code, state; ///< "ntc" "SLC"
 };
 
-std::vector<CapState> caps_of(const Study& study)
+std::vector<CapState> caps_of(const ReadingRules& rules)
 {
     std::vector<CapState> caps;
-    for (const fragility::Code& code : reading_rules(study).sets)
+    for (const fragility::Code& code : rules.sets)
         for (const fragility::CodeState& s : code.states)
             if (!s.drifts.empty()) caps.push_back({code.name, s.name});
     return caps;
 }
 
 template <class Take>
-void each_push(const Study& study, std::span<const PushedWall> walls, Take take)
+void each_push(int direction, std::span<const PushedWall> walls, Take take)
 {
-    const int direction = push_way(study).direction;
     for (const PushedWall& w : walls) {
         take(w, way_name(direction));
         if (const PushedWall* const other = other_way_of(w)) take(*other, way_name(-direction));
@@ -50,11 +48,11 @@ using SpandrelPart = PartRow<SpandrelReading>;
 
 /// One row for each part of each push.
 template <class Part>
-std::vector<PartRow<Part>> rows_of(const Study& study, std::span<const PushedWall> walls,
+std::vector<PartRow<Part>> rows_of(int direction, std::span<const PushedWall> walls,
                                    std::vector<Part> PushedWall::*parts)
 {
     std::vector<PartRow<Part>> rows;
-    each_push(study, walls, [&](const PushedWall& w, const char* way) {
+    each_push(direction, walls, [&](const PushedWall& w, const char* way) {
         for (std::size_t i = 0; i < (w.*parts).size(); ++i)
             rows.push_back({&w, way, i, &(w.*parts)[i]});
     });
@@ -80,7 +78,7 @@ double height_of(const PierReading& p) { return p.pier.at.z1 - p.pier.at.z0; }
 
 } // namespace
 
-Table pier_table(const Study& study, const std::vector<PushedWall>& walls)
+Table pier_table(const ReadingRules& rules, const std::vector<PushedWall>& walls)
 {
     Table t;
     t.title = "Piers";
@@ -109,7 +107,7 @@ Table pier_table(const Study& study, const std::vector<PushedWall>& walls)
          {"mode", [](const PierPart& r) { return std::string(mode_text(*r.part)); }},
          number_of<PierPart>({"H0/D", kDetail}, 2, 1.0,
                              [](Pier p) { return p.facts.slenderness; })});
-    for (const CapState& c : caps_of(study)) {
+    for (const CapState& c : caps_of(rules)) {
         const auto cap = [c](Pier p) -> const PierCap& { return *cap_of(p, c.code, c.state); };
         columns.push_back({c.code + " " + c.state + " limit [%]", [cap](const PierPart& r) {
                                const double drift = cap(*r.part).drift;
@@ -120,11 +118,11 @@ Table pier_table(const Study& study, const std::vector<PushedWall>& walls)
             {{c.code + " " + c.state + " reached [mm]", kCensored},
              [cap](const PierPart& r) { return limit_cell(cap(*r.part).wall, 1e3, 2); }});
     }
-    fill(t, columns, rows_of(study, walls, &PushedWall::piers));
+    fill(t, columns, rows_of(rules.direction, walls, &PushedWall::piers));
     return t;
 }
 
-Table pier_limit_table(const Study& study, const std::vector<PushedWall>& walls)
+Table pier_limit_table(const ReadingRules& rules, const std::vector<PushedWall>& walls)
 {
     Table t;
     t.title = "Limit states of piers";
@@ -132,7 +130,7 @@ Table pier_limit_table(const Study& study, const std::vector<PushedWall>& walls)
                 "end against its lower end; drifts are over its own height; '>' marks limit "
                 "states that it had not reached when the push ended.";
     t.keys = 4;
-    const std::vector<StateName> names = state_names(reading_rules(study));
+    const std::vector<StateName> names = state_names(rules);
     struct StateRow : PierPart {
         std::size_t state;
         [[nodiscard]] const fragility::LimitDisplacement& limit() const
@@ -141,7 +139,7 @@ Table pier_limit_table(const Study& study, const std::vector<PushedWall>& walls)
         }
     };
     std::vector<StateRow> rows;
-    for (const PierPart& pier : rows_of(study, walls, &PushedWall::piers))
+    for (const PierPart& pier : rows_of(rules.direction, walls, &PushedWall::piers))
         for (std::size_t s = 0; s < names.size(); ++s) rows.push_back({pier, s});
     auto columns = keys_of<StateRow>("pier");
     columns.push_back(
@@ -155,7 +153,7 @@ Table pier_limit_table(const Study& study, const std::vector<PushedWall>& walls)
     return t;
 }
 
-Table spandrel_table(const Study& study, const std::vector<PushedWall>& walls)
+Table spandrel_table(const ReadingRules& rules, const std::vector<PushedWall>& walls)
 {
     Table t;
     t.title = "Spandrels";
@@ -178,16 +176,16 @@ Table spandrel_table(const Study& study, const std::vector<PushedWall>& walls)
          number_of<SpandrelPart>("largest V [kN]", 1, 1e-3,
                                  [](Spandrel s) { return s.facts.most_shear; }),
          number_of<SpandrelPart>("drift [%]", 3, 100.0, [](Spandrel s) { return s.drift; })});
-    fill(t, columns, rows_of(study, walls, &PushedWall::spandrels));
+    fill(t, columns, rows_of(rules.direction, walls, &PushedWall::spandrels));
     return t;
 }
 
 namespace {
 
-std::string piers_remark(const Study& study, const PushedWall& w, const char* way)
+std::string piers_remark(const ReadingRules& rules, const PushedWall& w, const char* way)
 {
     std::string text;
-    const std::vector<CapState> caps = caps_of(study);
+    const std::vector<CapState> caps = caps_of(rules);
     for (const CapState& c : caps) {
         // A code with several drift limits names each of them.
         const bool alone = std::ranges::count(caps, c.code, &CapState::code) == 1;
@@ -227,33 +225,30 @@ std::string pier_paragraph(const PushedWall& w, const char* way)
 
 } // namespace
 
-std::vector<std::string> piers_remarks(const Study& study, const PushedWall& wall)
+std::vector<std::string> piers_remarks(const ReadingRules& rules, const PushedWall& wall)
 {
     std::vector<std::string> all;
-    each_push(study, {&wall, 1}, [&](const PushedWall& w, const char* way) {
-        if (!w.piers.empty() && !caps_of(study).empty())
-            all.push_back(piers_remark(study, w, way));
+    each_push(rules.direction, {&wall, 1}, [&](const PushedWall& w, const char* way) {
+        if (!w.piers.empty() && !caps_of(rules).empty())
+            all.push_back(piers_remark(rules, w, way));
     });
     return all;
 }
 
-std::vector<std::string> pier_paragraphs(const Study& study, const PushedWall& wall)
+std::vector<std::string> pier_paragraphs(const ReadingRules& rules, const PushedWall& wall)
 {
     std::vector<std::string> all;
-    const int direction = push_way(study).direction;
-    if (!wall.piers.empty()) all.push_back(pier_paragraph(wall, way_name(direction)));
-    const PushedWall* const other = other_way_of(wall);
-    if (other != nullptr && !other->piers.empty())
-        all.push_back(pier_paragraph(*other, way_name(-direction)));
+    each_push(rules.direction, {&wall, 1}, [&](const PushedWall& w, const char* way) {
+        if (!w.piers.empty()) all.push_back(pier_paragraph(w, way));
+    });
     return all;
 }
 
 namespace {
 
 /// The limit state whose drift limit governs one: its own, or that of the one it is a share of.
-std::string capped_state(const Study& study, const StateName& state)
+std::string capped_state(const ReadingRules& rules, const StateName& state)
 {
-    const ReadingRules rules = reading_rules(study);
     const fragility::Code* const code = fragility::find_code(rules.sets, state.set);
     if (code == nullptr) return {};
     for (const fragility::CodeState& s : code->states)
@@ -268,29 +263,29 @@ struct Governing {
     const PierCap* cap = nullptr;
 };
 
-Governing governing(const Study& study, const PushedWall& wall, const StateName& state,
+Governing governing(const ReadingRules& rules, const PushedWall& wall, const StateName& state,
                     std::size_t index)
 {
     const std::vector<int>& piers = wall.reading.governing;
     const int pier = index < piers.size() ? piers[index] : 0;
     if (pier == 0) return {};
     return {pier, cap_of(wall.piers[static_cast<std::size_t>(pier) - 1], state.set,
-                         capped_state(study, state))};
+                         capped_state(rules, state))};
 }
 
 } // namespace
 
-std::string pier_note(const Study& study, const PushedWall& wall, const StateName& state,
+std::string pier_note(const ReadingRules& rules, const PushedWall& wall, const StateName& state,
                       std::size_t index)
 {
-    const int first = governing(study, wall, state, index).pier;
+    const int first = governing(rules, wall, state, index).pier;
     return first == 0 ? "" : "; pier " + std::to_string(first) + " is the first to reach it";
 }
 
-std::string pier_rule(const Study& study, const PushedWall& wall, const StateName& state,
+std::string pier_rule(const ReadingRules& rules, const PushedWall& wall, const StateName& state,
                       std::size_t index)
 {
-    const Governing g = governing(study, wall, state, index);
+    const Governing g = governing(rules, wall, state, index);
     if (g.pier == 0) return {};
     return "pier " + std::to_string(g.pier) + " reaches the drift that " + state.set +
            " allows it, " + number(100.0 * g.cap->drift, 3) + " %";

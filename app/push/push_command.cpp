@@ -1,6 +1,7 @@
 #include "app/commands.hpp"
 
 #include "app/input/key_effects.hpp"
+#include "app/input/keys/limit_state_text.hpp"
 #include "app/input/sheet_offer.hpp"
 #include "app/input/study/units.hpp"
 #include "app/input/study_name.hpp"
@@ -54,12 +55,12 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The values that were drawn for one wall, in the units of their keys.
-Table drawn_table(const Study& study, const WallDraw& draw)
+Table drawn_table(const std::vector<RandomInput>& random, const WallDraw& draw)
 {
     Table t;
     t.head = {"input", "unit", "value"};
     for (std::size_t i = 0; i < draw.values.size(); ++i) {
-        const RandomInput& input = study.random[i];
+        const RandomInput& input = random[i];
         const std::vector<double>& values = draw.values[i];
         const std::string unit = input.unit.empty() ? "-" : std::string(input.unit);
         for (std::size_t id = 0; id < values.size(); ++id)
@@ -99,22 +100,26 @@ std::vector<OutputFile> wall_files(const Study& used, const dem::Layout& layout,
                                      {"summary.json", summary_json(used, layout, w)}};
     if (dem::failed(w.result.outcome)) return files;
     files.push_back({"capacity.csv", capacity_text(w)});
-    if (push_way(used).direction == 0) {
+    if (push_way(used.load).direction == 0) {
         const fragility::Path path{w.displacement, w.force};
         files.push_back({"cycles.csv", cycles_csv(fragility::cycles(path), w.result.curve)});
         files.push_back({"backbones.csv", backbones_csv(path)});
     }
-    files.push_back({"capacity.svg", capacity_svg(used, w, beside)});
-    files.push_back({"wall.svg", pushed_picture(used, layout, w)});
-    if (!w.piers.empty()) files.push_back({"piers.svg", pier_picture(used, layout, w)});
+    files.push_back({"capacity.svg", capacity_svg(reading_rules(used), w, beside)});
+    files.push_back({"wall.svg", pushed_picture(used.beam, used.load, layout, w)});
+    if (!w.piers.empty())
+        files.push_back(
+            {"piers.svg", pier_picture(used.wall, used.geometry, used.load, layout, w)});
     const PushedWall* const other = other_way_of(w);
     if (other == nullptr || dem::failed(other->result.outcome)) return files;
     const Study turned = turned_round(used);
-    const std::string way = way_name(push_way(turned).direction);
+    const std::string way = way_name(push_way(turned.load).direction);
     files.push_back({"capacity_" + way + ".csv", capacity_text(*other)});
-    files.push_back({"wall_" + way + ".svg", pushed_picture(turned, layout, *other)});
+    files.push_back(
+        {"wall_" + way + ".svg", pushed_picture(turned.beam, turned.load, layout, *other)});
     if (!other->piers.empty())
-        files.push_back({"piers_" + way + ".svg", pier_picture(turned, layout, *other)});
+        files.push_back({"piers_" + way + ".svg", pier_picture(turned.wall, turned.geometry,
+                                                               turned.load, layout, *other)});
     return files;
 }
 
@@ -123,15 +128,15 @@ bool any_piers(const std::vector<PushedWall>& walls)
     return std::ranges::any_of(walls, [](const PushedWall& w) { return !w.piers.empty(); });
 }
 
-std::string pier_text(const Study& study, const std::vector<PushedWall>& walls)
+std::string pier_text(const ReadingRules& rules, const std::vector<PushedWall>& walls)
 {
     if (!any_piers(walls)) return {};
-    return "\n" + as_text(without_details(pier_table(study, walls)), terminal_width());
+    return "\n" + as_text(without_details(pier_table(rules, walls)), terminal_width());
 }
 
 /// "solver error of the peak force: at most 0.5 %, asked for: 1 %; of the ultimate
 /// displacement: at most 2 %"; empty where no wall gave a result.
-std::string error_line(const Study& study, const std::vector<PushedWall>& walls)
+std::string error_line(const dem::SolverOptions& solver, const std::vector<PushedWall>& walls)
 {
     double largest = -1.0, of_fall = -1.0;
     bool beyond = false; // a range of the ultimate displacement goes on beyond the push
@@ -144,7 +149,7 @@ std::string error_line(const Study& study, const std::vector<PushedWall>& walls)
     if (largest < 0.0) return {};
     const std::string at_most = walls.size() > 1 ? "at most " : "";
     return "solver error of the peak force: " + at_most + error_text(largest) +
-           ", asked for: " + error_text(study.solver.accuracy) +
+           ", asked for: " + error_text(solver.accuracy) +
            (of_fall < 0.0 ? ""
                           : "; of the ultimate displacement: " +
                                 (beyond ? "at least " : at_most) + error_text(of_fall)) +
@@ -177,11 +182,11 @@ fs::path wall_folder(std::size_t walls, double stress)
     return walls == 1 ? fs::path() : folder_of(stress);
 }
 
-std::vector<fs::path> wall_folders(const Study& study, const std::vector<WantedWall>& wanted)
+std::vector<fs::path> wall_folders(const LoadInput& load, const std::vector<WantedWall>& wanted)
 {
     std::vector<fs::path> folders;
     for (const WantedWall& w : wanted)
-        folders.push_back(wall_folder(wanted.size(), study.load.vertical_stress[w.level]));
+        folders.push_back(wall_folder(wanted.size(), load.vertical_stress[w.level]));
     return folders;
 }
 
@@ -203,19 +208,20 @@ void write_all(const Command& command, const PreparedStudy& ready,
             for (const OutputFile& f : series.seal(i, walls[i].result))
                 moved.push_back({folder / f.name, {}, f.from});
     }
+    const ReadingRules rules = reading_rules(study);
     if (walls.size() > 1) {
-        add_table(files, "levels", level_table(study, walls));
-        files.push_back({"levels.svg", levels_svg(study, walls, beside)});
+        add_table(files, "levels", level_table(study.load, study.fragility, walls));
+        files.push_back({"levels.svg", levels_svg(rules, walls, beside)});
     }
-    add_table(files, "limit_states", limit_table(study, walls));
+    add_table(files, "limit_states", limit_table(rules, walls));
     if (any_piers(walls)) {
-        add_table(files, "piers", pier_table(study, walls));
-        add_table(files, "pier_limit_states", pier_limit_table(study, walls));
-        add_table(files, "spandrels", spandrel_table(study, walls));
+        add_table(files, "piers", pier_table(rules, walls));
+        add_table(files, "pier_limit_states", pier_limit_table(rules, walls));
+        add_table(files, "spandrels", spandrel_table(rules, walls));
     }
     if (!wanted.front().draw.values.empty())
-        files.push_back({"drawn.csv", as_csv(drawn_table(study, wanted.front().draw))});
-    if (std::string drawn = drawn_picture(study, ready.layout, wanted.front().draw);
+        files.push_back({"drawn.csv", as_csv(drawn_table(study.random, wanted.front().draw))});
+    if (std::string drawn = drawn_picture(study.random, ready.layout, wanted.front().draw);
         !drawn.empty())
         files.push_back({"drawn.svg", std::move(drawn)});
     files.insert(files.end(), moved.begin(), moved.end());
@@ -242,7 +248,7 @@ void write_all(const Command& command, const PreparedStudy& ready,
 }
 
 /// Before any wall is pushed: what cannot be written afterwards.
-void check_folder(const Command& command, const Study& study,
+void check_folder(const Command& command, const LoadInput& load, const OutputInput& output,
                   const std::vector<WantedWall>& wanted)
 {
     std::vector<fs::path> names = {"levels.svg", "drawn.csv", "drawn.svg"};
@@ -250,7 +256,7 @@ void check_folder(const Command& command, const Study& study,
         for (const char* const stem :
              {"limit_states", "levels", "piers", "pier_limit_states", "spandrels"})
             names.push_back(std::string(stem) + ending);
-    const std::vector<fs::path> folders = wall_folders(study, wanted);
+    const std::vector<fs::path> folders = wall_folders(load, wanted);
     for (const fs::path& folder : folders)
         for (const char* const name :
              {"study.ini", "summary.json", "capacity.csv", "capacity_left.csv",
@@ -258,7 +264,7 @@ void check_folder(const Command& command, const Study& study,
               "wall_left.svg", "wall_right.svg", "piers.svg", "piers_left.svg",
               "piers_right.svg", "film.svg", kInterruptedCurve})
             names.push_back(folder / name);
-    if (study.output.paraview) {
+    if (output.paraview) {
         const std::vector<fs::path> there = series_there(command.out, folders);
         names.insert(names.end(), there.begin(), there.end());
     }
@@ -270,8 +276,9 @@ void check_folder(const Command& command, const Study& study,
 PreparedStudy pushed_study(PreparedStudy ready, std::optional<int> sample)
 {
     const Study& study = ready.study;
-    if (!has_layouts(study)) return ready;
-    return in_layout(study, layout_seed(study, static_cast<std::uint32_t>(sample.value_or(0))));
+    if (!has_layouts(study.geometry)) return ready;
+    return in_layout(study, layout_seed(study.wall, study.geometry,
+                                        static_cast<std::uint32_t>(sample.value_or(0))));
 }
 
 /// "wall.gif", of several walls "wall_0.50_MPa.gif".
@@ -321,16 +328,16 @@ int push_command(const Command& command)
         std::cerr << wrapped("note: " + source.other_revision + "\n", terminal_width());
     const PreparedStudy ready = pushed_study(std::move(source.ready), command.sample);
     const Study& study = ready.study;
-    check_folder(command, study, wanted);
+    check_folder(command, study.load, study.output, wanted);
     for (const double stress : study.load.vertical_stress)
         if (!command.video.empty())
             check_video(video_of(command, wanted.size(), stress), command.quiet);
     catch_interrupts();
-    PushedSeries series(command.out, wall_folders(study, wanted));
+    PushedSeries series(command.out, wall_folders(study.load, wanted));
     dem::PushPlan plan = push_plan(study);
     plan.sink = series.sink();
     std::optional<PushFilm> film;
-    if (command.film) film.emplace(study, wanted.size(), plan);
+    if (command.film) film.emplace(study.load, wanted.size(), plan);
     const auto [walls, whole, other_way_left_out] =
         push_until_told(ready, std::move(plan), wanted, command.threads, command.quiet);
     if (!whole) keep_curves(command, walls);
@@ -338,9 +345,12 @@ int push_command(const Command& command)
     if (other_way_left_out)
         throw Interrupted{"all results of the push are in " + command.out +
                           "; only the push the other way was left out"};
-    std::cout << as_text(without_details(level_table(study, walls)), terminal_width()) << '\n'
-              << as_text(limit_table(study, walls), terminal_width()) << pier_text(study, walls)
-              << error_line(study, walls) << points_line(walls);
+    const ReadingRules rules = reading_rules(study);
+    std::cout << as_text(without_details(level_table(study.load, study.fragility, walls)),
+                         terminal_width())
+              << '\n'
+              << as_text(limit_table(rules, walls), terminal_width()) << pier_text(rules, walls)
+              << error_line(study.solver, walls) << points_line(walls);
     for (const PushedWall& w : walls)
         for (const std::string& remark : hand_checks(study, ready.layout, w).remarks)
             std::cout << wrapped("remark: " + stress_text(w.vertical_stress) + ": " + remark +

@@ -11,10 +11,11 @@
 
 namespace app {
 
-PushFilm::PushFilm(const Study& study, std::size_t walls, dem::PushPlan& plan) : walls_(walls)
+PushFilm::PushFilm(const LoadInput& load, std::size_t walls, dem::PushPlan& plan)
+    : walls_(walls)
 {
     const bool series = plan.snapshot_every > 0.0;
-    const double step = film_step(study);
+    const double step = film_step(load);
     if (series)
         every_ =
             static_cast<std::size_t>(std::max(1.0, std::round(step / plan.snapshot_every)));

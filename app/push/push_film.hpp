@@ -10,13 +10,13 @@
 
 namespace app {
 
-struct Study;
+struct LoadInput;
 
 class PushFilm {
   public:
     /// Sets how often `plan` takes snapshots where it takes none, and puts itself before its
     /// sink. Lives longer than the push.
-    PushFilm(const Study& study, std::size_t walls, dem::PushPlan& plan);
+    PushFilm(const LoadInput& load, std::size_t walls, dem::PushPlan& plan);
 
     /// film.svg of a wall whose push gave a result.
     [[nodiscard]] std::string film(const dem::Layout& layout, std::size_t wall,

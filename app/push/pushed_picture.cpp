@@ -5,13 +5,14 @@
 
 namespace app {
 
-std::string pushed_picture(const Study& study, const dem::Layout& layout, const PushedWall& w)
+std::string pushed_picture(const dem::Beam& beam, const LoadInput& load,
+                           const dem::Layout& layout, const PushedWall& w)
 {
     WallPictureText text;
     text.title = "Wall under " + stress_text(w.vertical_stress);
     text.tints = stone_tints(layout);
-    if (push_way(study).direction == 0) text.peak_name = "At the largest force";
-    if (study.beam.present) text.vertical_load = stress_text(w.vertical_stress);
+    if (push_way(load).direction == 0) text.peak_name = "At the largest force";
+    if (beam.present) text.vertical_load = stress_text(w.vertical_stress);
     text.load_height = w.loads.height;
     const dem::PushResult& r = w.result;
     // A wall that comes down under its vertical load has no peak.

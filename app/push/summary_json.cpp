@@ -1,6 +1,7 @@
 #include "app/push/summary_json.hpp"
 
 #include "app/input/keys/limit_state_text.hpp"
+#include "app/input/study/study.hpp"
 #include "app/input/study_reading.hpp"
 #include "app/output/energy_json.hpp"
 #include "app/program_version.hpp"
@@ -101,12 +102,12 @@ Json other_way(const PushedWall& other, const ReadingRules& rules)
 }
 
 /// The smaller of each number of both directions.
-Json worse(const Study& study, const PushedWall& w, const ReadingRules& rules)
+Json worse(const PushedWall& w, const ReadingRules& rules)
 {
     const WallReading r = worse_way(w);
     Json j = with_limits(readings(source_of(w, r)), r, rules);
     for (std::size_t i = 0; i < j["limit_states"].size(); ++i)
-        j["limit_states"][i]["direction"] = worse_way_name(study, w, i);
+        j["limit_states"][i]["direction"] = worse_way_name(rules.direction, w, i);
     return j;
 }
 
@@ -235,7 +236,7 @@ std::string summary_json(const Study& study, const dem::Layout& layout, const Pu
         j["direction"] = way_name(rules.direction);
         j["other_way"] = other_way(*other, rules);
         add_piers(*other, rules, j["other_way"]);
-        j["worse"] = worse(study, w, rules);
+        j["worse"] = worse(w, rules);
     }
     j["mechanism"] = mechanism(w, f);
     j["hand_checks"] = checks(hand_checks(study, layout, w));

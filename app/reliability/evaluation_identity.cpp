@@ -26,7 +26,7 @@ std::string section_text(std::span<const Key> keys, std::string_view section,
 
 std::string wall_evaluations(const Study& study, const std::string& level)
 {
-    const double stress = study.load.vertical_stress[level_of(study, level)];
+    const double stress = study.load.vertical_stress[level_of(study.load, level)];
     return identity_text(study) + section_text(study_keys(), "fragility", study) +
            "level = " + format_quantities({&stress, 1}, "MPa") + '\n';
 }

@@ -10,24 +10,25 @@
 
 namespace app {
 
-uq::ReliabilityProblem asked_problem(const Study& study, Eigen::Index dimension)
+uq::ReliabilityProblem asked_problem(const UqInput& uq, const ReliabilityInput& reliability,
+                                     const StudyFile& source, Eigen::Index dimension)
 {
     uq::ReliabilityProblem p;
     p.event.dimension = dimension;
-    p.method = study.reliability.method;
-    p.budget = study.reliability.budget;
-    p.target_cov = study.reliability.target_cov;
-    p.seed = study.uq.seed;
+    p.method = reliability.method;
+    p.budget = reliability.budget;
+    p.target_cov = reliability.target_cov;
+    p.seed = uq.seed;
     if (const std::string why = uq::budget_too_small(p.method, p.budget, dimension);
         !why.empty())
-        throw error_at(study.source, "reliability.budget", why);
-    if (p.method == ReliabilityMethod::sobol && !study.uq.together.empty())
-        throw error_at(study.source, "uq.together",
+        throw error_at(source, "reliability.budget", why);
+    if (p.method == ReliabilityMethod::sobol && !uq.together.empty())
+        throw error_at(source, "uq.together",
                        "inputs whose values stand row by row depend on each other, and Sobol' "
                        "indices are of independent ones; remove it");
-    if (p.method == ReliabilityMethod::sobol && !study.uq.pearson.empty())
+    if (p.method == ReliabilityMethod::sobol && !uq.pearson.empty())
         throw error_at(
-            study.source, "uq.pearson",
+            source, "uq.pearson",
             "has no meaning for reliability.method = sobol: Sobol' indices are shares "
             "of independent inputs; leave it out");
     return p;
@@ -35,7 +36,7 @@ uq::ReliabilityProblem asked_problem(const Study& study, Eigen::Index dimension)
 
 namespace {
 
-bool asks_program(const Study& study) { return !study.program.command.empty(); }
+bool asks_program(const ProgramInput& program) { return !program.command.empty(); }
 
 /// "joint.friction_angle" has the values "joint.friction_angle.17".
 bool is_value_of(const RandomInput& input, const std::string& name)
@@ -53,25 +54,28 @@ ShownNumber shown_input(const RandomInput& input, const std::string& name)
 
 } // namespace
 
-std::vector<ShownNumber> shown_inputs(const Study& study, const std::vector<std::string>& names)
+std::vector<ShownNumber> shown_inputs(const ProgramInput& program,
+                                      const std::vector<RandomInput>& random,
+                                      const std::vector<std::string>& names)
 {
     std::vector<ShownNumber> all;
     for (const std::string& name : names) {
         const auto input = std::ranges::find_if(
-            study.random, [&](const RandomInput& r) { return is_value_of(r, name); });
-        const bool known = input != study.random.end() && !asks_program(study);
+            random, [&](const RandomInput& r) { return is_value_of(r, name); });
+        const bool known = input != random.end() && !asks_program(program);
         all.push_back(known ? shown_input(*input, name) : ShownNumber{name, 1.0});
     }
     return all;
 }
 
-ShownNumber shown_response(const Study& study, const uq::ReliabilityProblem& problem)
+ShownNumber shown_response(const ReliabilityInput& reliability, const ProgramInput& program,
+                           const uq::ReliabilityProblem& problem)
 {
-    if (!asks_program(study)) {
-        const WallNumber& r = kWallNumbers.at(study.reliability.response);
+    if (!asks_program(program)) {
+        const WallNumber& r = kWallNumbers.at(reliability.response);
         return {std::string(r.name) + " [" + std::string(r.unit.name) + "]", r.unit.scale};
     }
-    std::istringstream names(study.program.responses);
+    std::istringstream names(program.responses);
     std::string name;
     for (Eigen::Index i = 0; i <= problem.event.response; ++i) std::getline(names, name, ',');
     return {std::string(trimmed(name)), 1.0};

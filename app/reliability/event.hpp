@@ -10,6 +10,12 @@
 
 namespace app {
 
+struct ProgramInput;
+struct RandomInput;
+struct ReliabilityInput;
+struct StudyFile;
+struct UqInput;
+
 /// From a study of walls.
 /// @param level as level_of reads it
 /// @throws ConfigError
@@ -24,7 +30,10 @@ namespace app {
 /// and seed.
 /// @throws ConfigError if the budget is too small for the method, or the method cannot have
 /// correlated inputs
-[[nodiscard]] uq::ReliabilityProblem asked_problem(const Study& study, Eigen::Index dimension);
+[[nodiscard]] uq::ReliabilityProblem asked_problem(const UqInput& uq,
+                                                   const ReliabilityInput& reliability,
+                                                   const StudyFile& source,
+                                                   Eigen::Index dimension);
 
 /// A number of a sample as people read it: shown value = scale x value of the model.
 struct ShownNumber {
@@ -34,10 +43,12 @@ struct ShownNumber {
 
 /// The inputs in the units of their keys; the variables of another program as they are.
 /// @param names ReliabilityProblem::inputs
-[[nodiscard]] std::vector<ShownNumber> shown_inputs(const Study& study,
+[[nodiscard]] std::vector<ShownNumber> shown_inputs(const ProgramInput& program,
+                                                    const std::vector<RandomInput>& random,
                                                     const std::vector<std::string>& names);
 /// The response, of a wall in the unit of its demand.
-[[nodiscard]] ShownNumber shown_response(const Study& study,
+[[nodiscard]] ShownNumber shown_response(const ReliabilityInput& reliability,
+                                         const ProgramInput& program,
                                          const uq::ReliabilityProblem& problem);
 
 } // namespace app

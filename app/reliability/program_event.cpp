@@ -37,15 +37,16 @@ std::vector<std::string> words_of(const StudyFile& file, const std::string& text
     return words;
 }
 
-uq::ExternalProgram program_of(const Study& study, int threads)
+uq::ExternalProgram program_of(const ProgramInput& input,
+                               const std::vector<RandomInput>& random, const StudyFile& source,
+                               int threads)
 {
-    const ProgramInput& input = study.program;
     uq::ExternalProgram p;
-    p.command = words_of(study.source, input.command);
+    p.command = words_of(source, input.command);
     std::istringstream names(input.responses);
     for (std::string name; std::getline(names, name, ',');)
         p.responses.emplace_back(trimmed(name));
-    for (const RandomInput& r : study.random) p.parameters.push_back(r.key);
+    for (const RandomInput& r : random) p.parameters.push_back(r.key);
     p.concurrent = input.concurrent > 0 ? input.concurrent : threads;
     p.retries = input.retries;
     p.time_limit = input.time_limit;
@@ -59,7 +60,8 @@ uq::ExternalProgram program_of(const Study& study, int threads)
 
 uq::ReliabilityProblem program_event(const Study& study, int threads)
 {
-    const uq::ExternalProgram program = program_of(study, threads);
+    const uq::ExternalProgram program =
+        program_of(study.program, study.random, study.source, threads);
     const std::string response =
         study.program.response.empty() ? program.responses.front() : study.program.response;
     const auto found = std::ranges::find(program.responses, response);
@@ -69,9 +71,10 @@ uq::ReliabilityProblem program_event(const Study& study, int threads)
     const bool above = study.program.above;
     std::vector<uq::Marginal> variables;
     for (const RandomInput& r : study.random) variables.push_back(r.marginal);
-    uq::ReliabilityProblem p =
-        asked_problem(study, static_cast<Eigen::Index>(variables.size()));
-    p.event.to_physical = uq::to_variables(variables, dependence_of(study));
+    uq::ReliabilityProblem p = asked_problem(study.uq, study.reliability, study.source,
+                                             static_cast<Eigen::Index>(variables.size()));
+    p.event.to_physical =
+        uq::to_variables(variables, dependence_of(study.uq, study.random, study.source));
     p.event.response = found - program.responses.begin();
     p.event.threshold = study.program.demand;
     p.event.passing = above ? uq::Passing::at_or_above : uq::Passing::at_or_below;

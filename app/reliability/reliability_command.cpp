@@ -108,7 +108,8 @@ Question question_of(const Command& command)
     const uq::ReliabilityProblem problem =
         program ? program_event(study, command.threads)
                 : wall_problem(ready, command.level, command.threads);
-    Question q{problem, shown_inputs(study, problem.inputs), shown_response(study, problem),
+    Question q{problem, shown_inputs(study.program, study.random, problem.inputs),
+               shown_response(study.reliability, study.program, problem),
                program ? program_evaluations(study) : wall_evaluations(study, command.level)};
     q.model += "response = " + std::to_string(q.problem.event.response) + '\n';
     std::cerr << study_notes(ready, command.verb);

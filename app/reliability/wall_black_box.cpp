@@ -53,11 +53,12 @@ uq::Responses ask(const Shared& s, const uq::Samples& samples)
 
 } // namespace
 
-void check_random(const Study& study, const std::string& or_else)
+void check_random(const std::vector<RandomInput>& random, const StudyFile& source,
+                  const std::string& or_else)
 {
-    if (study.random.empty())
+    if (random.empty())
         throw error_at(
-            study.source, "joint.friction_angle",
+            source, "joint.friction_angle",
             "no value of this study is a distribution; write e.g. \"friction_angle = "
             "normal(mean 31.8 deg, cov 0.20)\"" +
                 or_else);
@@ -78,10 +79,10 @@ uq::BlackBox wall_model(const PreparedStudy& ready, const SamplePlan& plan, int 
     return [shared](const uq::Samples& samples) { return ask(*shared, samples); };
 }
 
-uq::Map wall_map(const Study& study, const SamplePlan& plan)
+uq::Map wall_map(const StudyFile& source, const SamplePlan& plan)
 {
     if (plan.spatial == Spatial::stratified)
-        throw error_at(study.source, "uq.spatial",
+        throw error_at(source, "uq.spatial",
                        "stratified draws have no coordinates to search; write independent, "
                        "correlated or none");
     return [plan](const Eigen::MatrixXd& u) {

@@ -11,9 +11,13 @@
 
 namespace app {
 
+struct RandomInput;
+struct StudyFile;
+
 /// @param or_else what else can be done, at the end of the message
 /// @throws ConfigError if no value of the study is a distribution
-void check_random(const Study& study, const std::string& or_else = "");
+void check_random(const std::vector<RandomInput>& random, const StudyFile& source,
+                  const std::string& or_else = "");
 
 /// How any wall of the study is drawn, by whoever draws the samples.
 [[nodiscard]] SamplePlan any_wall_plan(Study study, const dem::Layout& layout);
@@ -28,6 +32,6 @@ void check_random(const Study& study, const std::string& or_else = "");
 
 /// Standard normal coordinates to the values of a wall.
 /// @throws ConfigError with Spatial::stratified, whose draws have no coordinates
-[[nodiscard]] uq::Map wall_map(const Study& study, const SamplePlan& plan);
+[[nodiscard]] uq::Map wall_map(const StudyFile& source, const SamplePlan& plan);
 
 } // namespace app

@@ -20,24 +20,24 @@ struct Demand {
     std::string words;
 };
 
-const WallNumber& response_of(const Study& study)
+const WallNumber& response_of(const ReliabilityInput& reliability)
 {
-    return kWallNumbers.at(study.reliability.response);
+    return kWallNumbers.at(reliability.response);
 }
 
 /// The demand in the unit of its response.
-Demand demand_of(const Study& study)
+Demand demand_of(const ReliabilityInput& reliability, const StudyFile& source)
 {
-    std::string text = study.reliability.demand;
+    std::string text = reliability.demand;
     if (text.empty())
-        throw error_at(study.source, "reliability.demand",
+        throw error_at(source, "reliability.demand",
                        "missing; write e.g. \"demand = 40 kN\" under [reliability], or with "
                        "method = active a quantile, such as \"quantile = 0.05\"");
-    const WallNumber& r = response_of(study);
+    const WallNumber& r = response_of(reliability);
     const bool percent = r.unit.name == "%";
     if (percent && text.ends_with('%'))
         text = std::string(trimmed(text.substr(0, text.size() - 1)));
-    const double value = read_at(study.source, "reliability.demand", [&] {
+    const double value = read_at(source, "reliability.demand", [&] {
         return parse_quantity(text, percent ? "" : r.unit.name);
     });
     return {percent ? value / r.unit.scale : value,
@@ -45,35 +45,37 @@ Demand demand_of(const Study& study)
 }
 
 /// The response of a wall that outlasts its push.
-double end_of_push(const Study& study)
+double end_of_push(const LoadInput& load, const ReliabilityInput& reliability)
 {
-    const double last = push_way(study).farthest;
+    const double last = push_way(load).farthest;
     WallReading farthest;
     farthest.peak = fragility::Peak{0.0, last, true};
     farthest.ultimate = {last, fragility::Reading::censored, {}};
-    return response_of(study).reading(farthest, study.load.height);
+    return response_of(reliability).reading(farthest, load.height);
 }
 
 /// A push that ends before the demand can never show it.
-void check_reached(const Study& study, const Demand& demand)
+void check_reached(const LoadInput& load, const ReliabilityInput& reliability,
+                   const StudyFile& source, const Demand& demand)
 {
-    const double last = push_way(study).farthest;
-    if (response_of(study).ends_with_push && demand.value >= end_of_push(study))
-        throw error_at(study.source, "reliability.demand",
+    const double last = push_way(load).farthest;
+    if (response_of(reliability).ends_with_push &&
+        demand.value >= end_of_push(load, reliability))
+        throw error_at(source, "reliability.demand",
                        "must be below the end of the push, load.max_displacement = " +
                            number(last * 1e3, 12) + " mm");
 }
 
-Study cheaper(const Study& study)
+Study cheaper(Study study)
 {
-    Study cheap = study;
-    cheap.fidelity = study.reliability.cheap;
-    cheap.discretisation.block_modes = dem::discretisation_of(cheap.fidelity).block_modes;
-    cheap.discretisation.contact_points = dem::discretisation_of(cheap.fidelity).contact_points;
-    if (cheap.discretisation == study.discretisation)
+    const dem::Discretisation own = study.discretisation;
+    study.fidelity = study.reliability.cheap;
+    study.discretisation.block_modes = dem::discretisation_of(study.fidelity).block_modes;
+    study.discretisation.contact_points = dem::discretisation_of(study.fidelity).contact_points;
+    if (study.discretisation == own)
         throw error_at(study.source, "reliability.cheap",
                        "is the fidelity of the study itself; name a lower one");
-    return cheap;
+    return study;
 }
 
 /// Relative cost of a wall: modes move through the contact points in every step.
@@ -89,25 +91,28 @@ uq::ReliabilityProblem wall_problem(const PreparedStudy& ready, const std::strin
                                     int threads)
 {
     const Study& study = ready.study;
-    refuse_layouts(study);
-    check_random(study);
-    const int level = level_of(study, stress_name);
+    refuse_layouts(study.geometry, study.source);
+    check_random(study.random, study.source);
+    const int level = level_of(study.load, stress_name);
     const bool quantile = study.reliability.quantile > 0.0;
     if (quantile && !study.reliability.demand.empty())
         throw error_at(study.source, "reliability.demand",
                        "a demand and reliability.quantile are two questions; remove one");
-    const Demand demand =
-        quantile ? Demand{0.0, std::string(words(response_of(study)))} : demand_of(study);
-    if (!quantile) check_reached(study, demand);
+    const Demand demand = quantile
+                              ? Demand{0.0, std::string(words(response_of(study.reliability)))}
+                              : demand_of(study.reliability, study.source);
+    if (!quantile) check_reached(study.load, study.reliability, study.source, demand);
     const SamplePlan plan = any_wall_plan(study, ready.layout);
 
-    uq::ReliabilityProblem p = asked_problem(study, plan.values.n_columns);
+    uq::ReliabilityProblem p =
+        asked_problem(study.uq, study.reliability, study.source, plan.values.n_columns);
     p.event.model = wall_model(ready, plan, level, threads);
-    p.event.to_physical = wall_map(study, plan);
+    p.event.to_physical = wall_map(study.source, plan);
     p.event.response = static_cast<Eigen::Index>(study.reliability.response);
     p.event.threshold = demand.value;
     p.quantile = study.reliability.quantile;
-    if (quantile && response_of(study).ends_with_push) p.known_below = end_of_push(study);
+    if (quantile && response_of(study.reliability).ends_with_push)
+        p.known_below = end_of_push(study.load, study.reliability);
     const double stress = study.load.vertical_stress[level];
     p.words = demand.words + " under " + stress_text(stress);
     for (const Column& c : input_columns(plan)) p.inputs.push_back(c.name);

@@ -93,7 +93,7 @@ void keep_in_page(const Draft& draft, Replay& replay)
 {
     const PreparedStudy& ready = draft.ready;
     const std::size_t geometry = text_of(wall_geometry(ready.layout)).size();
-    const std::size_t each = has_layouts(ready.study) ? geometry : 0;
+    const std::size_t each = has_layouts(ready.study.geometry) ? geometry : 0;
     const std::size_t rest = draft.page({}, chosen_text(1, 2)).size() + geometry + 100;
     keep_first(replay, kMostPageBytes - std::min(rest, kMostPageBytes), each);
 }

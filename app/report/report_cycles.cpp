@@ -37,8 +37,9 @@ WallCurve evenly(const WallCurve& c, double step, std::size_t most)
 Json loops_json(const StudyWalls& study, const WallList& listed)
 {
     if (study.pushed_one_way) return nullptr;
-    const double step = film_step(study.study) / kLoopPoints;
-    const auto points = static_cast<std::size_t>(film_frames(study.study) * kLoopPoints + 1);
+    const double step = film_step(study.study.load) / kLoopPoints;
+    const auto points =
+        static_cast<std::size_t>(film_frames(study.study.load) * kLoopPoints + 1);
     std::vector<double> displacements, forces;
     Json counts = Json::array();
     for (const StudyWall* w : listed) {

@@ -140,8 +140,8 @@ Json tables_json(const StudyWalls& study, const DriftData& data, const WallList&
 /// @param seed of the layout
 Json geometry_of(const PreparedStudy& ready, std::uint32_t seed)
 {
-    return wall_geometry(has_layouts(ready.study) ? in_layout(ready.study, seed).layout
-                                                  : ready.layout);
+    return wall_geometry(has_layouts(ready.study.geometry) ? in_layout(ready.study, seed).layout
+                                                           : ready.layout);
 }
 
 Json overview_json(const StudyWalls& study, const DriftData& data)
@@ -206,7 +206,8 @@ Json films_json(const PreparedStudy& ready, const WallList& listed, const Replay
         const auto film = of_wall.find(listed[w]);
         if (film == of_wall.end()) continue;
         const Film& f = *film->second;
-        const std::uint32_t seed = layout_seed(ready.study, listed[w]->key.sample);
+        const std::uint32_t seed =
+            layout_seed(ready.study.wall, ready.study.geometry, listed[w]->key.sample);
         const auto [at, first] = places.try_emplace(seed, places.size());
         if (first) films["geometries"].push_back(geometry_of(ready, seed));
         films["films"].push_back({{"wall", w},

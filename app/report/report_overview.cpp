@@ -59,7 +59,7 @@ std::string bond_text(const Study& study)
     if (study.geometry.rubble)
         return "of " + count_of(lay_again(study).study.geometry.units.size(), "stone") +
                " of rubble"; // a study that is read has not grown them
-    if (!is_drawn(study))
+    if (!is_drawn(study.geometry))
         return "in " + count_of(static_cast<std::size_t>(study.wall.courses), "course");
     const GeometryInput& g = study.geometry;
     return "of " + count_of(g.units.size(), "block") + " drawn" +
@@ -68,10 +68,11 @@ std::string bond_text(const Study& study)
 
 std::string wall_text(const Study& study)
 {
-    return "a wall of " + fixed(wall_length(study), 2) + " m × " +
-           fixed(wall_height(study), 2) + " m × " + fixed(study.wall.thickness, 2) + " m " +
-           bond_text(study) + ", pushed sideways at a height of " +
-           fixed(study.load.height, 2) + " m" + way_text(push_way(study));
+    return "a wall of " + fixed(wall_length(study.wall, study.geometry), 2) + " m × " +
+           fixed(wall_height(study.wall, study.geometry), 2) + " m × " +
+           fixed(study.wall.thickness, 2) + " m " + bond_text(study) +
+           ", pushed sideways at a height of " + fixed(study.load.height, 2) + " m" +
+           way_text(push_way(study.load));
 }
 
 std::vector<std::string> what_was_run(const StudyWalls& study)
@@ -87,15 +88,15 @@ std::vector<std::string> what_was_run(const StudyWalls& study)
                         : ", " + stress_text(study.levels.front().stress);
     first += ": " + wall_text(study.study);
     std::vector<std::string> text = {first + "."};
-    if (has_layouts(study.study))
+    if (has_layouts(study.study.geometry))
         text.push_back("The stones lie in " + std::to_string(study.study.geometry.layouts) +
                        " random layouts, those of wall.seed = " +
-                       std::to_string(layout_seed(study.study, 0)) +
+                       std::to_string(layout_seed(study.study.wall, study.study.geometry, 0)) +
                        " and so on, which the samples take in turn.");
     if (!study.inputs.empty())
         text.push_back("Drawn at random: " + listed_keys(study) +
                        ". All other values are the same for every wall under one stress.");
-    else if (!has_layouts(study.study))
+    else if (!has_layouts(study.study.geometry))
         text.push_back("Nothing was drawn at random.");
     return text;
 }
@@ -240,7 +241,8 @@ Overview overview(const StudyWalls& study)
     if (o.lead.empty() && !o.found.empty()) o.lead = o.found.front();
     if (o.found.size() == 1) o.found.clear(); // the lead says it
     o.found.push_back("How a wall failed: " + mode_rule_text(f) + ".");
-    if (!study.pushed_one_way) o.found.push_back(backbone_text(study.study).substr(1));
+    if (!study.pushed_one_way)
+        o.found.push_back(backbone_text(study.study.load, study.study.fragility).substr(1));
     o.sure = how_sure(study);
     return o;
 }

@@ -31,12 +31,11 @@ void push_missing(const PreparedStudy& ready, const std::vector<std::size_t>& mi
                   int threads, Replay& all,
                   const std::function<void(std::size_t, std::size_t)>& seen)
 {
-    const Study& study = ready.study;
     PushList list;
     list.size = missing.size();
     list.wall = [&](std::size_t i) -> WantedWall {
         const StudyWall& wall = *all.walls[missing[i]];
-        return {static_cast<int>(wall.key.level), stored_draw(study, ready.layout, wall)};
+        return {static_cast<int>(wall.key.level), stored_draw(ready.study, ready.layout, wall)};
     };
     list.done = [&](std::size_t i, const WallDraw&, PushedWall&& wall) {
         const StudyWall& stored = *all.walls[missing[i]];
@@ -45,7 +44,7 @@ void push_missing(const PreparedStudy& ready, const std::vector<std::size_t>& mi
         ++all.pushed;
         if (seen) seen(all.pushed, missing.size());
     };
-    dem::PushPlan plan = filmed_plan(study);
+    dem::PushPlan plan = filmed_plan(ready.study);
     plan.progress = [](const dem::PushProgress&) { end_if_interrupted(); };
     push_in_layouts(
         ready, plan, list, [&](std::size_t i) { return all.walls[missing[i]]->key.sample; },

@@ -1,5 +1,6 @@
 #include "app/sampling/sample_plan.hpp"
 
+#include "app/input/study/study.hpp"
 #include "app/sampling/study_dependence.hpp"
 #include "app/sampling/study_kernel.hpp"
 #include "app/sampling/study_rows.hpp"
@@ -29,37 +30,39 @@ uq::SpatialInput spatial_input(const RandomInput& input, Spatial spatial,
     return s;
 }
 
-bool varies(const Study& study, Varies how)
+bool varies(const std::vector<RandomInput>& random, Varies how)
 {
-    return std::ranges::find(study.random, how, &RandomInput::varies) != study.random.end();
+    return std::ranges::find(random, how, &RandomInput::varies) != random.end();
 }
 
 /// Over the joints, and over the cracks; empty if no input varies over them.
-std::vector<uq::FieldBasis> fields_of(const Study& study, const dem::Layout& layout)
+std::vector<uq::FieldBasis> fields_of(const UqInput& uq, const std::vector<RandomInput>& random,
+                                      const StudyFile& source, const dem::Layout& layout)
 {
     std::vector<uq::FieldBasis> fields(2);
-    if (study.uq.spatial != Spatial::correlated) return fields;
+    if (uq.spatial != Spatial::correlated) return fields;
     const auto over = [&](const std::vector<uq::Site>& sites) {
-        return uq::cholesky_basis(uq::correlation_matrix(kernel_of(study), sites));
+        return uq::cholesky_basis(uq::correlation_matrix(kernel_of(uq, source), sites));
     };
-    if (varies(study, Varies::by_joint)) fields[0] = over(joint_sites(layout));
-    if (varies(study, Varies::by_crack)) fields[1] = over(crack_sites(layout));
+    if (varies(random, Varies::by_joint)) fields[0] = over(joint_sites(layout));
+    if (varies(random, Varies::by_crack)) fields[1] = over(crack_sites(layout));
     return fields;
 }
 
-Eigen::MatrixXd design_of(const Study& study, const uq::SpatialPlan& plan, std::uint64_t seed,
+Eigen::MatrixXd design_of(const UqInput& uq, const StudyFile& source,
+                          const uq::SpatialPlan& plan, std::uint64_t seed,
                           std::span<const std::uint32_t> sizes)
 {
     if (plan.n_columns == 0) return Eigen::MatrixXd(sizes.back(), 0);
     const char* key = "uq.design";
     try {
-        Eigen::MatrixXd u = uq::unit_cube(
-            {study.uq.design, {sizes.begin(), sizes.end()}, plan.n_columns, seed});
+        Eigen::MatrixXd u =
+            uq::unit_cube({uq.design, {sizes.begin(), sizes.end()}, plan.n_columns, seed});
         key = "uq.samples";
         if (plan.reordered) uq::reorder(u, plan.dependence->rho_z, sizes);
         return u;
     } catch (const std::invalid_argument& bad) {
-        throw error_at(study.source, key, bad.what());
+        throw error_at(source, key, bad.what());
     }
 }
 
@@ -72,30 +75,34 @@ std::uint64_t level_seed(const UqInput& uq, double vertical_stress)
                     uq::Purpose::replicate, 0);
 }
 
-uq::SpatialPlan value_plan(const Study& study, const dem::Layout& layout, bool latin)
+uq::SpatialPlan value_plan(const UqInput& uq, const std::vector<RandomInput>& random,
+                           const StudyFile& source, const dem::Layout& layout, bool latin)
 {
     std::vector<uq::SpatialInput> inputs;
-    for (const RandomInput& input : study.random)
-        inputs.push_back(spatial_input(input, study.uq.spatial, layout));
-    uq::SpatialPlan plan = uq::spatial_plan(std::move(inputs), fields_of(study, layout),
-                                            dependence_of(study), latin);
-    plan.together = joint_rows(study);
+    for (const RandomInput& input : random)
+        inputs.push_back(spatial_input(input, uq.spatial, layout));
+    uq::SpatialPlan plan =
+        uq::spatial_plan(std::move(inputs), fields_of(uq, random, source, layout),
+                         dependence_of(uq, random, source), latin);
+    plan.together = joint_rows(uq, random, source);
     return plan;
 }
 
 SamplePlan sample_plan(const Study& study, const dem::Layout& layout,
                        std::span<const std::uint32_t> sizes)
 {
-    SamplePlan plan{study.uq.spatial,
-                    study.random,
-                    value_plan(study, layout, is_latin(study.uq.design)),
-                    {},
-                    {},
-                    joint_sites(layout),
-                    crack_sites(layout)};
+    SamplePlan plan{
+        study.uq.spatial,
+        study.random,
+        value_plan(study.uq, study.random, study.source, layout, is_latin(study.uq.design)),
+        {},
+        {},
+        joint_sites(layout),
+        crack_sites(layout)};
     for (const double stress : study.load.vertical_stress) {
         plan.seeds.push_back(level_seed(study.uq, stress));
-        plan.design.push_back(design_of(study, plan.values, plan.seeds.back(), sizes));
+        plan.design.push_back(
+            design_of(study.uq, study.source, plan.values, plan.seeds.back(), sizes));
     }
     return plan;
 }

@@ -1,7 +1,8 @@
 #pragma once
 /// The random values of each wall of a study.
 
-#include "app/input/study/study.hpp"
+#include "app/input/study/random_input.hpp"
+#include "app/input/study/uq_input.hpp"
 #include "app/sampling/wall_draw.hpp"
 #include "uq/fields/field_site.hpp"
 #include "uq/fields/spatial_sample.hpp"
@@ -13,6 +14,9 @@
 #include <vector>
 
 namespace app {
+
+struct Study;
+struct StudyFile;
 
 /// Everything that the draws of a study have in common.
 struct SamplePlan {
@@ -32,7 +36,9 @@ struct SamplePlan {
 /// How standard normal numbers become the values of a wall.
 /// @param latin whether their rows are those of a Latin hypercube
 /// @throws ConfigError where the correlation or the rows asked for cannot be had
-[[nodiscard]] uq::SpatialPlan value_plan(const Study& study, const dem::Layout& layout,
+[[nodiscard]] uq::SpatialPlan value_plan(const UqInput& uq,
+                                         const std::vector<RandomInput>& random,
+                                         const StudyFile& source, const dem::Layout& layout,
                                          bool latin);
 
 /// The plan of a study's draws.

@@ -14,66 +14,70 @@ namespace {
 
 constexpr const char* kPearson = "uq.pearson";
 
-[[noreturn]] void refuse(const Study& study, const std::string& why)
+[[noreturn]] void refuse(const StudyFile& source, const std::string& why)
 {
-    throw error_at(study.source, kPearson, why);
+    throw error_at(source, kPearson, why);
 }
 
-void check_pair(const Study& study, Eigen::Index a, Eigen::Index b)
+void check_pair(const UqInput& uq, const std::vector<RandomInput>& random,
+                const StudyFile& source, Eigen::Index a, Eigen::Index b)
 {
-    if (a == b) refuse(study, "an input is paired with itself; name two");
-    const Varies va = study.random[a].varies, vb = study.random[b].varies;
-    if (study.uq.spatial == Spatial::stratified)
-        refuse(study,
+    if (a == b) refuse(source, "an input is paired with itself; name two");
+    const Varies va = random[a].varies, vb = random[b].varies;
+    if (uq.spatial == Spatial::stratified)
+        refuse(source,
                "has no meaning with spatial = stratified; write independent or correlated");
-    if (study.uq.spatial != Spatial::none && va != vb)
-        refuse(study, "joins " + study.random[a].key + " and " + study.random[b].key +
-                          ", which do not vary over the same joints; write spatial = none");
+    if (uq.spatial != Spatial::none && va != vb)
+        refuse(source, "joins " + random[a].key + " and " + random[b].key +
+                           ", which do not vary over the same joints; write spatial = none");
 }
 
 /// "joint.friction_angle joint.stiffness_factor 0.3"
-void read_pair(const Study& study, const std::string& item, Eigen::MatrixXd& r)
+void read_pair(const UqInput& uq, const std::vector<RandomInput>& random,
+               const StudyFile& source, const std::string& item, Eigen::MatrixXd& r)
 {
     std::istringstream in(item);
     std::string a, b, value, rest;
     in >> a >> b >> value;
     if (value.empty() || in >> rest)
-        refuse(study, in_quotes(trimmed(item)) +
-                          " is not two inputs and their correlation; write e.g. "
-                          "\"joint.friction_angle joint.stiffness_factor 0.3\"");
-    const auto i = static_cast<Eigen::Index>(input_named(study, a, kPearson)),
-               j = static_cast<Eigen::Index>(input_named(study, b, kPearson));
-    check_pair(study, i, j);
-    if (r(i, j) != 0.0) refuse(study, a + " and " + b + " are given twice; keep one of them");
-    r(i, j) = r(j, i) =
-        read_at(study.source, kPearson, [&] { return parse_quantity(value, ""); });
+        refuse(source, in_quotes(trimmed(item)) +
+                           " is not two inputs and their correlation; write e.g. "
+                           "\"joint.friction_angle joint.stiffness_factor 0.3\"");
+    const auto i = static_cast<Eigen::Index>(input_named(random, source, a, kPearson)),
+               j = static_cast<Eigen::Index>(input_named(random, source, b, kPearson));
+    check_pair(uq, random, source, i, j);
+    if (r(i, j) != 0.0) refuse(source, a + " and " + b + " are given twice; keep one of them");
+    r(i, j) = r(j, i) = read_at(source, kPearson, [&] { return parse_quantity(value, ""); });
 }
 
 } // namespace
 
-std::size_t input_named(const Study& study, std::string_view word, const char* key)
+std::size_t input_named(const std::vector<RandomInput>& random, const StudyFile& source,
+                        std::string_view word, const char* key)
 {
     std::vector<std::string_view> names;
-    for (std::size_t i = 0; i < study.random.size(); ++i) {
-        if (study.random[i].key == word) return i;
-        names.push_back(study.random[i].key);
+    for (std::size_t i = 0; i < random.size(); ++i) {
+        if (random[i].key == word) return i;
+        names.push_back(random[i].key);
     }
-    throw error_at(study.source, key,
+    throw error_at(source, key,
                    in_quotes(word) + " is not a random input of this study; " +
                        (names.empty() ? "there is none" : suggestion(word, names)));
 }
 
-std::optional<uq::NormalCopula> dependence_of(const Study& study)
+std::optional<uq::NormalCopula> dependence_of(const UqInput& uq,
+                                              const std::vector<RandomInput>& random,
+                                              const StudyFile& source)
 {
-    if (study.uq.pearson.empty()) return {};
-    const auto n = static_cast<Eigen::Index>(study.random.size());
+    if (uq.pearson.empty()) return {};
+    const auto n = static_cast<Eigen::Index>(random.size());
     std::vector<uq::Variable> variables;
-    for (const RandomInput& r : study.random) variables.push_back({r.key, r.marginal});
+    for (const RandomInput& r : random) variables.push_back({r.key, r.marginal});
     Eigen::MatrixXd pearson = Eigen::MatrixXd::Identity(n, n);
-    std::istringstream list(study.uq.pearson);
-    for (std::string item; std::getline(list, item, ',');) read_pair(study, item, pearson);
-    return read_at(study.source, kPearson,
-                   [&] { return uq::normal_copula(variables, pearson); });
+    std::istringstream list(uq.pearson);
+    for (std::string item; std::getline(list, item, ',');)
+        read_pair(uq, random, source, item, pearson);
+    return read_at(source, kPearson, [&] { return uq::normal_copula(variables, pearson); });
 }
 
 } // namespace app

@@ -9,18 +9,23 @@
 
 namespace app {
 
-struct Study;
+struct RandomInput;
+struct StudyFile;
+struct UqInput;
 
 /// Place in Study::random of the input with this name.
 /// @param key that names it: "uq.pearson"
 /// @throws ConfigError where there is none
-[[nodiscard]] std::size_t input_named(const Study& study, std::string_view word,
+[[nodiscard]] std::size_t input_named(const std::vector<RandomInput>& random,
+                                      const StudyFile& source, std::string_view word,
                                       const char* key);
 
 /// The dependence of the inputs through the normal copula; nothing if all are independent.
 /// @throws ConfigError if uq.pearson names something that is not a random input, or asks for a
 /// correlation that cannot be had; in a spatial study also if it joins inputs that do not vary
 /// over the same joints
-[[nodiscard]] std::optional<uq::NormalCopula> dependence_of(const Study& study);
+[[nodiscard]] std::optional<uq::NormalCopula>
+dependence_of(const UqInput& uq, const std::vector<RandomInput>& random,
+              const StudyFile& source);
 
 } // namespace app

@@ -5,10 +5,11 @@
 
 namespace app {
 
-struct Study;
+struct StudyFile;
+struct UqInput;
 
 /// For Spatial::correlated.
 /// @throws ConfigError if lengths are missing or too many
-[[nodiscard]] uq::Kernel kernel_of(const Study& study);
+[[nodiscard]] uq::Kernel kernel_of(const UqInput& uq, const StudyFile& source);
 
 } // namespace app

@@ -7,15 +7,18 @@
 
 namespace app {
 
-struct Study;
+struct RandomInput;
+struct StudyFile;
+struct UqInput;
 
 /// Whether uq.together names this key.
-[[nodiscard]] bool is_together(const Study& study, std::string_view key);
+[[nodiscard]] bool is_together(const UqInput& uq, std::string_view key);
 
 /// The rows of the inputs that uq.together names; none if it names none.
 /// @throws ConfigError if it names fewer than two inputs, one that is not empirical(...) or
 /// varies inside the wall, lists of different lengths, a value out of the range of its key, or
 /// one that uq.pearson names, too
-[[nodiscard]] uq::JointRows joint_rows(const Study& study);
+[[nodiscard]] uq::JointRows
+joint_rows(const UqInput& uq, const std::vector<RandomInput>& random, const StudyFile& source);
 
 } // namespace app

@@ -1,13 +1,16 @@
 #pragma once
 /// The random values of one wall, and the wall that they make.
 
-#include "app/input/study/study.hpp"
+#include "app/input/study/random_input.hpp"
+#include "app/input/study/uq_input.hpp"
 #include "dem/scene/layout.hpp"
 
 #include <span>
 #include <vector>
 
 namespace app {
+
+struct Study;
 
 /// values[i] belong to study.random[i], in SI: one, or one per joint ID or crack ID.
 struct WallDraw {

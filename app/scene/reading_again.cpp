@@ -28,12 +28,11 @@ std::string stone_text(const dem::Elastic& stone)
            ", " + number(stone.density, 12) + " kg/m3";
 }
 
-std::string layer_stones_text(const Study& study)
+std::string layer_stones_text(const dem::WallGeometry& wall, const GeometryInput& g)
 {
-    const GeometryInput& g = study.geometry;
     std::string text;
     for (std::size_t k = 0; k < g.layers.size(); ++k) {
-        const dem::Elastic& stone = in_courses(study) ? study.wall.lintel : g.stones[k];
+        const dem::Elastic& stone = in_courses(g) ? wall.lintel : g.stones[k];
         text += (k == 0 ? "" : "; ") + g.layers[k] + ": " + stone_text(stone);
     }
     return text;
@@ -67,9 +66,9 @@ std::string reading_again_text(const Study& study, bool cracked)
         "Their lengths are in " + unit +
         ". A study that reads one of them needs in [wall]:\nlength_unit = " + unit + '\n';
     if (cracked) text += "unit_length = " + number(study.wall.unit_length, 12) + " m\n";
-    const bool lintels = !in_courses(study) || study.wall.lintel_bearing > 0.0;
+    const bool lintels = !in_courses(study.geometry) || study.wall.lintel_bearing > 0.0;
     if (lintels && !study.geometry.layers.empty())
-        text += "layer_stones = " + layer_stones_text(study) + '\n';
+        text += "layer_stones = " + layer_stones_text(study.wall, study.geometry) + '\n';
     if (const std::string refused = refused_keys(study); !refused.empty())
         text += wrapped("Take out of the study: " + refused + '\n', terminal_width());
     return text;

@@ -42,7 +42,7 @@ std::string plural(int n, const std::string& one)
 }
 
 /// "75 units in 120 blocks, 135 joints, 45 potential cracks, 1234 contact points"
-std::string count_text(const Study& study, const dem::Layout& layout,
+std::string count_text(const dem::Discretisation& discretisation, const dem::Layout& layout,
                        std::span<const DrawnBlock> units)
 {
     std::string text = counted(units.size(), "unit", "units");
@@ -50,7 +50,7 @@ std::string count_text(const Study& study, const dem::Layout& layout,
         text += " in " + plural(layout.beam, "block");
     return text + ", " + plural(layout.n_joints, "joint") + ", " +
            plural(layout.n_cracks, "potential crack") + ", " +
-           counted(dem::contact_count(layout, study.discretisation), "contact point",
+           counted(dem::contact_count(layout, discretisation), "contact point",
                    "contact points");
 }
 
@@ -58,9 +58,9 @@ std::string size_text(const Study& study, const dem::Layout& layout)
 {
     const dem::Weights w = dem::weights_of(layout, study.parameters.stone, study.beam.material,
                                            study.load.gravity);
-    return number(wall_length(study), 4) + " m long, " + number(layout.height, 4) +
-           " m high, " + number(layout.thickness, 4) + " m thick; " + number(w.area, 4) +
-           " m2 of stone, " + fixed(w.masonry * 1e-3, 2) + " kN";
+    return number(wall_length(study.wall, study.geometry), 4) + " m long, " +
+           number(layout.height, 4) + " m high, " + number(layout.thickness, 4) + " m thick; " +
+           number(w.area, 4) + " m2 of stone, " + fixed(w.masonry * 1e-3, 2) + " kN";
 }
 
 std::string whole_mm(double metres) { return fixed(metres * 1e3, 0); }
@@ -124,11 +124,11 @@ Table joint_table(const dem::Layout& layout)
     return t;
 }
 
-std::string layouts_text(const Study& study)
+std::string layouts_text(const dem::WallGeometry& wall, const GeometryInput& geometry)
 {
-    if (!has_layouts(study)) return "";
-    return "This is the layout of wall.seed = " + std::to_string(study.wall.seed) +
-           ", the first of " + std::to_string(study.geometry.layouts) +
+    if (!has_layouts(geometry)) return "";
+    return "This is the layout of wall.seed = " + std::to_string(wall.seed) +
+           ", the first of " + std::to_string(geometry.layouts) +
            "; --set wall.seed=K draws another.\n";
 }
 
@@ -146,29 +146,30 @@ int scene_command(const Command& command)
         std::cerr << note;
     const dem::Layout& layout = source.ready.layout;
     const dem::Layout whole = whole_units(study);
-    const std::vector<DrawnBlock> units = scene_units(study, whole);
+    const std::vector<DrawnBlock> units = scene_units(study.geometry, whole);
     std::cerr << study_notes(source.ready, command.verb);
     if (!study.load.unfit_height.empty())
         std::cerr << "note: load.height: " << study.load.unfit_height
                   << ". The wall is drawn; push and study refuse it.\n";
-    const std::string counts = count_text(study, layout, units);
+    const std::string counts = count_text(study.discretisation, layout, units);
     const std::string sizes = size_text(study, layout);
     const dem::BondIndices indices = dem::bond_indices(whole);
     const double unit = study.geometry.length_unit;
-    write_results(out,
-                  {{"scene.json", write_drawing_json(units, unit)},
-                   {"scene.dxf", write_drawing_dxf(units, unit)},
-                   {"scene.svg", scene_picture(layout, units, counts, sizes)},
-                   {"joints.csv", as_csv(joint_table(layout))},
-                   {"laws.svg", law_picture(study.parameters, layout.course_height,
-                                            stress_level(study, 0), layout, study.solver)}},
-                  kSceneList);
+    write_results(
+        out,
+        {{"scene.json", write_drawing_json(units, unit)},
+         {"scene.dxf", write_drawing_dxf(units, unit)},
+         {"scene.svg", scene_picture(layout, units, counts, sizes)},
+         {"joints.csv", as_csv(joint_table(layout))},
+         {"laws.svg", law_picture(study.parameters, layout.course_height,
+                                  stress_level(study.load, 0), layout, study.solver)}},
+        kSceneList);
     std::cout << wrapped(counts + ".\n", terminal_width())
               << wrapped(sizes + ".\n", terminal_width())
               << wrapped(index_text(indices) + "\n", terminal_width())
               << wrapped(quality_text(indices, dem::quality_terms(indices, whole)) + "\n",
                          terminal_width())
-              << layouts_text(study)
+              << layouts_text(study.wall, study.geometry)
               << "scene.svg, laws.svg, scene.json, scene.dxf and joints.csv written to "
               << command.out << '\n'
               << reading_again_text(study, layout.n_cracks > 0);

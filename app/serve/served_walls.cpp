@@ -31,12 +31,12 @@ struct Shared {
     WallPush push;
 };
 
-RandomInput fixed_input(const Study& study, const Key& key)
+RandomInput fixed_input(const Parameters& parameters, const StudyFile& source, const Key& key)
 {
     if (key.field.place == nullptr || key.varies == Varies::never)
-        throw error_at(study.source, key.name,
+        throw error_at(source, key.name,
                        "cannot be an input: it changes the wall itself, not its materials");
-    Parameters p = study.parameters;
+    Parameters p = parameters;
     RandomInput input;
     input.key = key.name;
     input.unit = key.unit;
@@ -46,19 +46,20 @@ RandomInput fixed_input(const Study& study, const Key& key)
     return input;
 }
 
-RandomInput input_named(const Study& study, const std::string& name)
+RandomInput input_named(const Parameters& parameters, const std::vector<RandomInput>& random,
+                        const StudyFile& source, const std::string& name)
 {
-    for (const RandomInput& input : study.random)
+    for (const RandomInput& input : random)
         if (input.key == name) return input;
     const Key* const key = find_key(name);
     if (key == nullptr)
         throw ConfigError("drystone", 0, "--input",
                           in_quotes(name) + " is not a key of a study");
-    if (find_entry(study.source, name) == nullptr)
-        throw error_at(study.source, name,
+    if (find_entry(source, name) == nullptr)
+        throw error_at(source, name,
                        "follows from other keys; give it a value, or --set " + name +
                            "=..., to make it an input");
-    return fixed_input(study, *key);
+    return fixed_input(parameters, source, *key);
 }
 
 std::vector<ServedColumn> output_columns(const std::vector<std::string>& names, Shared& shared)
@@ -126,7 +127,7 @@ ServedModel normal_model(const Study& study, const Shared& shared, const ServedM
         for (const int column : plan.values.columns[i])
             model.inputs[column].meaning =
                 "standard normal coordinate of " + plan.inputs[i].key;
-    model.evaluate = [to_physical = wall_map(study, plan),
+    model.evaluate = [to_physical = wall_map(study.source, plan),
                       at = physical.evaluate](std::span<const double> z) {
         for (std::size_t i = 0; i < z.size(); ++i)
             if (!(std::abs(z[i]) <= kFarthest))
@@ -160,10 +161,12 @@ ServedStudy served_study(const PreparedStudy& ready, const std::vector<std::stri
     if (!inputs.empty()) {
         served.ready.study.random.clear();
         for (const std::string& name : inputs)
-            served.ready.study.random.push_back(input_named(study, name));
+            served.ready.study.random.push_back(
+                input_named(study.parameters, study.random, study.source, name));
     }
-    refuse_layouts(served.ready.study);
-    check_random(served.ready.study, ", or name inputs: --input joint.friction_angle");
+    refuse_layouts(served.ready.study.geometry, served.ready.study.source);
+    check_random(served.ready.study.random, served.ready.study.source,
+                 ", or name inputs: --input joint.friction_angle");
     return served;
 }
 

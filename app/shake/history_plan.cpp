@@ -74,7 +74,7 @@ HistoryPlan history_plan(const PreparedStudy& ready)
         throw error_at(study.source, "uq.audit",
                        "pushes walls again more slowly, and these are shaken; remove it");
     HistoryPlan plan;
-    plan.records = shaking_records(study);
+    plan.records = shaking_records(study.shaking, study.source);
     plan.design = study.shaking.design;
     plan.measures = kept_measures(plan.records.at.measure,
                                   {0.5 * ready.layout.length, 0.5 * ready.layout.height});
@@ -136,12 +136,12 @@ StoreHead history_head(const Study& study, const HistoryPlan& plan, const Sample
     return head;
 }
 
-void refuse_changed_records(const Study& study, const HistoryPlan& plan,
+void refuse_changed_records(const StudyFile& source, const HistoryPlan& plan,
                             const std::filesystem::path& file)
 {
     const StoreHead stored = read_head(file);
     if (!holds_histories(stored))
-        throw error_at(study.source, "shaking.records",
+        throw error_at(source, "shaking.records",
                        "this study shakes walls, and " + in_quotes(file.string()) +
                            " holds pushes; name another file with --out");
     const std::vector<std::string> before = record_lines(stored.identity),
@@ -150,7 +150,7 @@ void refuse_changed_records(const Study& study, const HistoryPlan& plan,
         if (before[i] == now[i]) continue;
         const std::string was = record_name(before[i]), is = record_name(now[i]);
         throw error_at(
-            study.source, "shaking.records",
+            source, "shaking.records",
             was == is ? in_quotes(is) + " has changed since " + in_quotes(file.string()) +
                             " was begun; put the record back as it was, or name another "
                             "file with --out"
@@ -160,7 +160,7 @@ void refuse_changed_records(const Study& study, const HistoryPlan& plan,
                             "--out");
     }
     if (before.size() != now.size())
-        throw error_at(study.source, "shaking.records",
+        throw error_at(source, "shaking.records",
                        "names " + std::to_string(now.size()) + " records, and " +
                            in_quotes(file.string()) + " was begun with " +
                            std::to_string(before.size()) +

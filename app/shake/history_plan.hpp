@@ -14,6 +14,8 @@
 
 namespace app {
 
+struct StudyFile;
+
 struct HistoryPlan {
     ShakingRecords records;
     ShakingDesign design = ShakingDesign::crossed;
@@ -47,7 +49,7 @@ struct HistoryOf {
 
 /// Tells in a sentence which records of a file that is there are no longer the same.
 /// @throws ConfigError at shaking.records
-void refuse_changed_records(const Study& study, const HistoryPlan& plan,
+void refuse_changed_records(const StudyFile& source, const HistoryPlan& plan,
                             const std::filesystem::path& file);
 
 } // namespace app

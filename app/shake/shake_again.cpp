@@ -11,7 +11,7 @@ ShakenAgain::ShakenAgain(const StoredHistories& stored, const std::filesystem::p
     : ready_(lay_again(stored.study)), plan_(history_plan(ready_))
 {
     ready_.study.solver.kinematics = dem::Kinematics::finite; // whatever the default of a push
-    refuse_changed_records(ready_.study, plan_, file);
+    refuse_changed_records(ready_.study.source, plan_, file);
     samples_ = sample_plan(ready_.study, ready_.layout, stored_walls(stored.head, plan_));
 }
 
@@ -29,8 +29,9 @@ ShakenWall ShakenAgain::history(std::size_t level, const StoredHistory& of,
 PreparedStudy ShakenAgain::study_of(const StoredHistory& history) const
 {
     const Study& study = ready_.study;
-    if (!has_layouts(study)) return ready_;
-    return in_layout(study, layout_seed(study, static_cast<std::uint32_t>(history.wall)));
+    if (!has_layouts(study.geometry)) return ready_;
+    return in_layout(study, layout_seed(study.wall, study.geometry,
+                                        static_cast<std::uint32_t>(history.wall)));
 }
 
 } // namespace app

@@ -86,12 +86,13 @@ int shake_command(const Command& command)
         throw ConfigError("drystone", 0, "--film",
                           "shake writes film.svg; leave out " + in_quotes(command.video));
     const StudySource source = study_source(command.study, command.overrides);
-    const std::vector<ShakingMotion> motions = shaking_motions(source.ready.study);
+    const std::vector<ShakingMotion> motions =
+        shaking_motions(source.ready.study.shaking, source.ready.study.source);
     const std::vector<WantedWall> wanted =
         wanted_walls(source, {command.sample, command.mean_wall, command.level});
     const PreparedStudy ready = shaken_study(source.ready, command.sample.value_or(0));
     const Study& study = ready.study;
-    if (wanted.size() != 1) static_cast<void>(level_of(study, command.level)); // throws
+    if (wanted.size() != 1) static_cast<void>(level_of(study.load, command.level)); // throws
     const WantedWall& wall = wanted.front();
     std::vector<std::filesystem::path> folders, names;
     UniqueNames unique;

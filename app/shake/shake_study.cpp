@@ -112,7 +112,7 @@ class HistoryRuns {
             done_(key, begun.draw, std::move(begun.history));
             return {};
         }
-        in.plan = shake_plan(ready_.study, begun.history.motion);
+        in.plan = shake_plan(ready_.study.load, ready_.study.shaking, begun.history.motion);
         in.plan.record_every = kNoHistory;
         in.plan.progress = [](double, double) { end_if_interrupted(); };
         const std::lock_guard lock(mutex_);
@@ -185,10 +185,11 @@ void shake_pending(const PreparedStudy& ready, const HistoryPlan& plan,
 }
 
 /// Sizes through which the design of walls has grown.
-std::vector<std::uint32_t> wall_sizes(const Study& study, const HistoryPlan& plan,
-                                      const fs::path& file)
+std::vector<std::uint32_t> wall_sizes(const GeometryInput& geometry, const UqInput& uq,
+                                      const std::vector<RandomInput>& random,
+                                      const HistoryPlan& plan, const fs::path& file)
 {
-    const std::uint32_t samples = samples_of(study);
+    const std::uint32_t samples = samples_of(geometry, uq, random);
     std::vector<std::uint32_t> sizes;
     if (fs::exists(file)) sizes = stored_walls(read_head(file), plan);
     if (sizes.empty() || samples > sizes.back()) sizes.push_back(samples);
@@ -217,7 +218,8 @@ std::vector<WallKey> longest_first(const HistoryPlan& plan, std::vector<WallKey>
 /// walls are pushed as well, one register of pushes.
 StudyWork shaking_work(const PreparedStudy& ready, const HistoryPlan& plan)
 {
-    const std::vector<std::uint32_t> sizes = {samples_of(ready.study)};
+    const std::vector<std::uint32_t> sizes = {
+        samples_of(ready.study.geometry, ready.study.uq, ready.study.random)};
     const SamplePlan samples = sample_plan(ready.study, ready.layout, sizes);
     const std::size_t levels = ready.study.load.vertical_stress.size(),
                       each = sizes.front() * histories_per_wall(plan), all = levels * each;
@@ -245,7 +247,8 @@ StudyWork shaking_work(const PreparedStudy& ready, const HistoryPlan& plan)
 
 void check_size(const Study& study, const HistoryPlan& plan)
 {
-    const double all = static_cast<double>(histories_per_wall(plan)) * samples_of(study);
+    const double all = static_cast<double>(histories_per_wall(plan)) *
+                       samples_of(study.geometry, study.uq, study.random);
     if (all * static_cast<double>(study.load.vertical_stress.size()) >
         static_cast<double>(kMostWalls))
         throw error_at(study.source, "shaking.records",
@@ -267,11 +270,13 @@ void run_histories(const PreparedStudy& ready, const HistoryPlan& plan,
     const int used = std::clamp(threads, 1, most);
     const std::vector<WallKey> order = longest_first(plan, histories);
     const Study& study = ready.study;
-    if (!has_layouts(study)) return HistoryRuns(ready, plan, samples, order, done).run(used);
+    if (!has_layouts(study.geometry))
+        return HistoryRuns(ready, plan, samples, order, done).run(used);
     std::map<std::uint32_t, std::vector<WallKey>> of_layout; // by its seed
     for (const WallKey& key : order) {
         const std::size_t wall = history_of(plan, key.sample).wall;
-        of_layout[layout_seed(study, static_cast<std::uint32_t>(wall))].push_back(key);
+        of_layout[layout_seed(study.wall, study.geometry, static_cast<std::uint32_t>(wall))]
+            .push_back(key);
     }
     for (const auto& layout : of_layout) {
         const std::vector<WallKey>& some = layout.second;
@@ -312,9 +317,10 @@ int shake_study_command(const Command& command)
             !command.quiet)
             std::cerr << note;
     if (file.has_parent_path()) make_folder(file.parent_path());
-    if (fs::exists(file)) refuse_changed_records(study, plan, file);
+    if (fs::exists(file)) refuse_changed_records(study.source, plan, file);
     catch_interrupts();
-    const std::vector<std::uint32_t> sizes = wall_sizes(study, plan, file);
+    const std::vector<std::uint32_t> sizes =
+        wall_sizes(study.geometry, study.uq, study.random, plan, file);
     const SamplePlan samples = sample_plan(study, ready.layout, sizes);
     StoreHead head = history_head(study, plan, samples, sizes);
     head.shard = static_cast<std::uint32_t>(command.shard.index);

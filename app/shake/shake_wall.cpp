@@ -15,9 +15,9 @@ namespace app {
 PreparedStudy shaken_study(PreparedStudy ready, int sample)
 {
     check_shaken_study(ready.study);
-    if (has_layouts(ready.study))
-        ready = in_layout(ready.study,
-                          layout_seed(ready.study, static_cast<std::uint32_t>(sample)));
+    if (has_layouts(ready.study.geometry))
+        ready = in_layout(ready.study, layout_seed(ready.study.wall, ready.study.geometry,
+                                                   static_cast<std::uint32_t>(sample)));
     ready.study.solver.kinematics = dem::Kinematics::finite; // whatever the default of a push
     return ready;
 }
@@ -37,7 +37,7 @@ void shake_wall(const PreparedStudy& ready, const WantedWall& wall,
     all.size = motions.size();
     all.damps = study.shaking.contact_damping > 0.0;
     all.history = [&](std::size_t i) {
-        dem::ShakePlan plan = shake_plan(study, motions[i]);
+        dem::ShakePlan plan = shake_plan(study.load, study.shaking, motions[i]);
         plan.snapshot_every = frame_every;
         plan.progress = [&, i](double done, double top) {
             shares[i] = done;

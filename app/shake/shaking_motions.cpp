@@ -75,16 +75,14 @@ ground::GroundMotion beside(ground::GroundMotion vertical, const ground::GroundM
 
 } // namespace
 
-ShakingRecords shaking_records(const Study& study)
+ShakingRecords shaking_records(const ShakingInput& given, const StudyFile& file)
 {
-    const ShakingInput& given = study.shaking;
-    const StudyFile& file = study.source;
     if (given.records.empty())
         throw error_at(file, "shaking.records",
                        "missing; write files of records or pulses, e.g. records = "
                        "half_sine(peak 0.5 g, duration 0.3 s)");
     ShakingRecords all;
-    all.at = shaken_intensities(study);
+    all.at = shaken_intensities(given, file);
     std::optional<ground::GroundMotion> vertical;
     if (given.vertical != "none")
         vertical = motions_of(file, "shaking.vertical", given.vertical).front();
@@ -118,9 +116,9 @@ ShakingMotion shaking_motion(const ShakingRecords& all, std::size_t record,
     return m;
 }
 
-std::vector<ShakingMotion> shaking_motions(const Study& study)
+std::vector<ShakingMotion> shaking_motions(const ShakingInput& shaking, const StudyFile& source)
 {
-    const ShakingRecords records = shaking_records(study);
+    const ShakingRecords records = shaking_records(shaking, source);
     std::vector<ShakingMotion> all;
     for (std::size_t r = 0; r < records.records.size(); ++r)
         for (std::size_t i = 0; i < intensity_count(records); ++i)
@@ -128,14 +126,15 @@ std::vector<ShakingMotion> shaking_motions(const Study& study)
     return all;
 }
 
-dem::ShakePlan shake_plan(const Study& study, const ShakingMotion& motion)
+dem::ShakePlan shake_plan(const LoadInput& load, const ShakingInput& shaking,
+                          const ShakingMotion& motion)
 {
     dem::ShakePlan plan;
     plan.step = motion.horizontal.step;
     plan.horizontal = motion.horizontal.acceleration;
     if (motion.vertical) plan.vertical = motion.vertical->acceleration;
-    plan.load = study.load.mass;
-    plan.contact_damping = study.shaking.contact_damping;
+    plan.load = load.mass;
+    plan.contact_damping = shaking.contact_damping;
     plan.quiet = kQuietDrift;
     return plan;
 }
@@ -147,7 +146,7 @@ void check_shaken_study(const Study& study)
         throw error_at(study.source, "solver.kinematics",
                        "a wall that is shaken turns by any amount; write finite, or remove it");
     if (study.wall.toe == dem::Toe::held && study.wall.base == dem::Base::joint &&
-        in_courses(study))
+        in_courses(study.geometry))
         throw error_at(study.source, "wall.toe",
                        "is held sideways, and the blocks of a wall that is shaken are held "
                        "altogether or not at all; write toe = free");

@@ -12,7 +12,10 @@
 
 namespace app {
 
+struct LoadInput;
+struct ShakingInput;
 struct Study;
+struct StudyFile;
 
 /// A record as it is, with the vertical motion that belongs to it.
 struct ShakingRecord {
@@ -37,7 +40,7 @@ struct ShakingMotion {
 
 /// Files of records are found as path_from tells (app/input/study/study_file.hpp).
 /// @throws ConfigError
-[[nodiscard]] ShakingRecords shaking_records(const Study& study);
+[[nodiscard]] ShakingRecords shaking_records(const ShakingInput& given, const StudyFile& file);
 
 /// Number of intensities of each record, 1 where they stay as they are.
 [[nodiscard]] std::size_t intensity_count(const ShakingRecords& records);
@@ -48,10 +51,12 @@ struct ShakingMotion {
 
 /// Each record under each intensity.
 /// @throws ConfigError
-[[nodiscard]] std::vector<ShakingMotion> shaking_motions(const Study& study);
+[[nodiscard]] std::vector<ShakingMotion> shaking_motions(const ShakingInput& shaking,
+                                                         const StudyFile& source);
 
 /// The plan of a history of the study's wall, without its progress.
-[[nodiscard]] dem::ShakePlan shake_plan(const Study& study, const ShakingMotion& motion);
+[[nodiscard]] dem::ShakePlan shake_plan(const LoadInput& load, const ShakingInput& shaking,
+                                        const ShakingMotion& motion);
 
 /// Refuses small displacements, and dashpots in joints that close. @throws ConfigError
 void check_shaken_study(const Study& study);

@@ -57,20 +57,17 @@ void check_pdf(const fs::path& html)
                               "\" is there, and no sheet beside it; write another name");
 }
 
-std::string subtitle(const Study& study, const PushedWall& w)
+std::string subtitle(const dem::WallGeometry& wall, const GeometryInput& geometry,
+                     const dem::Beam& beam, const PushedWall& w)
 {
-    std::string text = number(wall_length(study), 4) + " x " + number(wall_height(study), 4) +
-                       " x " + number(study.wall.thickness, 4) + " m";
+    std::string text = number(wall_length(wall, geometry), 4) + " x " +
+                       number(wall_height(wall, geometry), 4) + " x " +
+                       number(wall.thickness, 4) + " m";
     const MaterialPreset* const material =
-        find_material(kMaterialNames.at(static_cast<std::size_t>(study.geometry.material)));
+        find_material(kMaterialNames.at(static_cast<std::size_t>(geometry.material)));
     if (material != nullptr) text += ", " + std::string(material->meaning);
-    if (!study.beam.present) return text + ", without a load on its top";
+    if (!beam.present) return text + ", without a load on its top";
     return text + ", " + stress_text(w.vertical_stress) + " of vertical stress on its top";
-}
-
-std::string drawing_of(const Study& study)
-{
-    return wall_drawing(scene_units(study, whole_units(study)), 330.0, 250.0);
 }
 
 const dem::Snapshot& drop_or_end(const dem::PushResult& r)
@@ -78,30 +75,31 @@ const dem::Snapshot& drop_or_end(const dem::PushResult& r)
     return r.at_drop ? *r.at_drop : r.at_end;
 }
 
-std::string end_name(const Study& study, const dem::PushResult& r)
+std::string end_name(const FragilityInput& fragility, const dem::PushResult& r)
 {
-    return r.at_drop
-               ? "Just below " + percent_text(study.fragility.ultimate_share) + " of the peak"
-               : "At the end";
+    return r.at_drop ? "Just below " + percent_text(fragility.ultimate_share) + " of the peak"
+                     : "At the end";
 }
 
-std::string mechanism_of(const Study& study, const dem::Layout& layout, const PushedWall& w)
+std::string mechanism_of(const dem::Beam& beam, const LoadInput& load,
+                         const FragilityInput& fragility, const dem::Layout& layout,
+                         const PushedWall& w)
 {
     WallPictureText text;
     text.tints = stone_tints(layout);
     text.load_height = w.loads.height;
-    if (study.beam.present) text.vertical_load = stress_text(w.vertical_stress);
+    if (beam.present) text.vertical_load = stress_text(w.vertical_stress);
     const dem::PushResult& r = w.result;
     if (const PushedWall* const other = other_way_of(w);
         other != nullptr && other->reading.peak) {
-        const int direction = push_way(study).direction;
+        const int direction = push_way(load).direction;
         text.peak_name = std::string("To the ") + way_name(direction);
         text.end_name = std::string("To the ") + way_name(-direction);
         return wall_picture(drop_or_end(r), drop_or_end(other->result), text);
     }
     const dem::Snapshot& peak = r.at_peak.blocks.empty() ? r.at_end : r.at_peak;
     if (!r.at_drop) return wall_picture(peak, r.at_end, text);
-    text.end_name = end_name(study, r);
+    text.end_name = end_name(fragility, r);
     return wall_picture(peak, *r.at_drop, text);
 }
 
@@ -133,27 +131,27 @@ std::string ways_text(const std::string& way)
 }
 
 /// The rule that governs, in a line where that can be.
-std::string rule_of(const Study& study, const PushedWall& w, const StateName& name,
+std::string rule_of(const ReadingRules& rules, const PushedWall& w, const StateName& name,
                     std::size_t state, const fragility::LimitDisplacement& limit)
 {
     constexpr std::string_view kGoverns = "governed by ";
-    const std::string pier = pier_rule(study, worse_push(w, state), name, state);
+    const std::string pier = pier_rule(rules, worse_push(w, state), name, state);
     const bool of_another = name.rule.starts_with("3/4") || name.rule.starts_with("2/3"),
                governed = limit.reason.starts_with(kGoverns);
     std::string rule = name.rule;
     if (!pier.empty() && !of_another) rule = pier;
     if (pier.empty() && governed && !of_another)
         rule = std::string(limit.reason.substr(kGoverns.size()));
-    if (other_way_of(w) != nullptr) rule += ways_text(worse_way_name(study, w, state));
+    if (other_way_of(w) != nullptr)
+        rule += ways_text(worse_way_name(rules.direction, w, state));
     if (pier.empty() && !governed && !limit.reason.empty())
         rule += "; here: " + std::string(limit.reason);
     return rule;
 }
 
-std::vector<SheetLimit> limits_of(const Study& study, const PushedWall& w,
+std::vector<SheetLimit> limits_of(ReadingRules rules, const PushedWall& w,
                                   const StudyLevel* stored)
 {
-    ReadingRules rules = reading_rules(study);
     rules.by_piers = !w.piers.empty();
     const std::vector<StateName> names = state_names(rules);
     const WallReading worse = worse_way(w);
@@ -163,7 +161,7 @@ std::vector<SheetLimit> limits_of(const Study& study, const PushedWall& w,
         SheetLimit row{
             state_name(names[i]), cell_text(limit_cell(limit, 1e3, 1)),
             cell_text(limit_cell(limit, fragility::percent_per_metre(w.loads.height), 2)),
-            rule_of(study, w, names[i], i, limit), ""};
+            rule_of(rules, w, names[i], i, limit), ""};
         if (stored != nullptr) row.spread = spread_of(*stored, i, w.loads.height);
         all.push_back(std::move(row));
     }
@@ -174,9 +172,10 @@ std::vector<SheetLimit> limits_of(const Study& study, const PushedWall& w,
 std::vector<WantedWall> mean_wall(const StudySource& source, const Command& command)
 {
     const Study& study = source.ready.study;
-    const bool mean = study.uq.drawn.empty() && (!study.random.empty() || has_layouts(study));
+    const bool mean =
+        study.uq.drawn.empty() && (!study.random.empty() || has_layouts(study.geometry));
     if (study.uq.drawn.empty())
-        static_cast<void>(level_of(study, command.level)); // one wall alone
+        static_cast<void>(level_of(study.load, command.level)); // one wall alone
     return wanted_walls(source, {command.sample, command.mean_wall || mean, command.level});
 }
 
@@ -190,20 +189,21 @@ Sheet sheet_of(const Study& study, const dem::Layout& layout, const PushedWall& 
 {
     const StudyLevel* const walls =
         stored == nullptr ? nullptr : &stored->levels.at(static_cast<std::size_t>(level));
+    const ReadingRules rules = reading_rules(study);
     Sheet s;
     s.title = title_of(command);
-    s.subtitle = subtitle(study, w);
+    s.subtitle = subtitle(study.wall, study.geometry, study.beam, w);
     s.answer = answer_sentences(study, layout, w);
-    s.moves = moving_part(study);
-    s.drift_words = drift_words(study);
-    s.drawing = drawing_of(study);
-    s.curve = line_chart(sheet_curve(study, w));
-    s.mechanism = mechanism_of(study, layout, w);
-    s.limits = limits_of(study, w, walls);
+    s.moves = moving_part(study.load);
+    s.drift_words = drift_words(study.load);
+    s.drawing = wall_drawing(scene_units(study.geometry, whole_units(study)), 330.0, 250.0);
+    s.curve = line_chart(sheet_curve(rules, w));
+    s.mechanism = mechanism_of(study.beam, study.load, study.fragility, layout, w);
+    s.limits = limits_of(rules, w, walls);
     if (walls != nullptr)
         s.spread_head = "drift [%] of 16, 50, 84 % of " + std::to_string(walls->walls.size()) +
                         " random walls";
-    s.piers = pier_paragraphs(study, w);
+    s.piers = pier_paragraphs(rules, w);
     s.assumed = assumptions(study, 4);
     s.certainty = certainty_sentences(study, w, stored, static_cast<std::size_t>(level));
     s.footer = "Drystone " + std::string(kVersion) + ", in-plane push of " +
@@ -215,9 +215,9 @@ Sheet sheet_of(const Study& study, const dem::Layout& layout, const PushedWall& 
 
 } // namespace
 
-Chart sheet_curve(const Study& study, const PushedWall& wall)
+Chart sheet_curve(const ReadingRules& rules, const PushedWall& wall)
 {
-    Chart curve = capacity_chart(study, wall);
+    Chart curve = capacity_chart(rules, wall);
     constexpr double kLeast = 300.0, kMost = 400.0; // [px]
     curve.title = "";
     curve.width = 680.0;

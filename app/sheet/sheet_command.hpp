@@ -5,8 +5,6 @@
 
 namespace app {
 
-struct Study;
-
 /// `drystone sheet`: one A4 page of a wall of mean values, and of the random walls of a stored
 /// study: drawing, curve, mechanism, limits, assumptions, certainty. Writes FILE.html and,
 /// where WeasyPrint is installed, FILE.pdf.
@@ -14,6 +12,6 @@ struct Study;
 [[nodiscard]] int sheet_command(const Command& command);
 
 /// The curve of a wall with its limits, as wide as a sheet shows it.
-[[nodiscard]] Chart sheet_curve(const Study& study, const PushedWall& wall);
+[[nodiscard]] Chart sheet_curve(const ReadingRules& rules, const PushedWall& wall);
 
 } // namespace app

@@ -1,6 +1,7 @@
 #include "app/sheet/sheet_words.hpp"
 
 #include "app/input/keys/key_values.hpp"
+#include "app/input/keys/limit_state_text.hpp"
 #include "app/input/keys/study_keys.hpp"
 #include "app/input/study/material_presets.hpp"
 #include "app/input/wall/unit_cracks.hpp"
@@ -25,13 +26,13 @@
 namespace app {
 namespace {
 
-bool by_body_forces(const Study& study) { return study.load.pattern == dem::LoadPattern::body; }
+bool by_body_forces(const LoadInput& load) { return load.pattern == dem::LoadPattern::body; }
 
 /// The height that drifts are shares of.
-std::string_view height_words(const Study& study)
+std::string_view height_words(const LoadInput& load)
 {
-    return by_body_forces(study) ? "the height of its centre of gravity"
-                                 : "the height of the load";
+    return by_body_forces(load) ? "the height of its centre of gravity"
+                                : "the height of the load";
 }
 
 std::string kilonewtons(double force) { return never_rounded_away(force * 1e-3, 1) + " kN"; }
@@ -67,39 +68,39 @@ std::string_view failure_words(dem::FailureMode mode)
 }
 
 /// The push to the right, or to the left.
-std::string way_words(const Study& study, bool other)
+std::string way_words(const LoadInput& load, bool other)
 {
-    const int direction = push_way(study).direction * (other ? -1 : 1);
+    const int direction = push_way(load).direction * (other ? -1 : 1);
     return direction == 0 ? "to and fro" : direction > 0 ? "to the right" : "to the left";
 }
 
-std::string strength_sentence(const Study& study, const dem::Layout& layout,
-                              const PushedWall& w)
+/// @param vertical load on its top [N]
+std::string strength_sentence(const LoadInput& load, const PushedWall& w, double vertical)
 {
-    std::string text = "Pushed " + way_words(study, false) + ", the wall carries " +
+    std::string text = "Pushed " + way_words(load, false) + ", the wall carries " +
                        kilonewtons(peak_force(w.reading));
-    const double vertical = hand_checks(study, layout, w).vertical_load;
     if (vertical > 0.0)
         text += ", " + fixed(peak_force(w.reading) / vertical, 2) +
                 " of the vertical load on its top";
     if (const PushedWall* const other = other_way_of(w);
         other != nullptr && other->reading.peak)
-        text += "; " + way_words(study, true) + " " + kilonewtons(peak_force(other->reading));
+        text += "; " + way_words(load, true) + " " + kilonewtons(peak_force(other->reading));
     return text + ".";
 }
 
-std::string limit_sentence(const Study& study, const PushedWall& w)
+std::string limit_sentence(const LoadInput& load, const FragilityInput& fragility,
+                           const PushedWall& w)
 {
     const PushedWall* const other = other_way_of(w);
     const fragility::LimitDisplacement limit = worse_way(w).ultimate;
     const bool by_other =
         other != nullptr && limit.displacement != w.reading.ultimate.displacement;
-    const std::string left = percent_text(study.fragility.ultimate_share);
+    const std::string left = percent_text(fragility.ultimate_share);
     const std::string at =
         millimetres(limit.displacement) + ", " +
         fixed(fragility::percent_drift(limit.displacement, w.loads.height), 2) + " % of " +
-        std::string(height_words(study));
-    const std::string way = way_words(study, by_other) + " ";
+        std::string(height_words(load));
+    const std::string way = way_words(load, by_other) + " ";
     if (is_observed(limit))
         return sentence(way + "its force is down to " + left + " of the peak at " + at);
     if (is_censored(limit))
@@ -109,14 +110,14 @@ std::string limit_sentence(const Study& study, const PushedWall& w)
 }
 
 /// How it fails, in both directions where they differ.
-std::string failure_sentence(const Study& study, const PushedWall& w)
+std::string failure_sentence(const LoadInput& load, const PushedWall& w)
 {
     const std::string own(failure_words(w.reading.mode));
     const PushedWall* const other = other_way_of(w);
     if (other == nullptr || !other->reading.peak || other->reading.mode == w.reading.mode)
         return own + ".";
-    return own + " (" + way_words(study, false) + "). " +
-           std::string(failure_words(other->reading.mode)) + " (" + way_words(study, true) +
+    return own + " (" + way_words(load, false) + "). " +
+           std::string(failure_words(other->reading.mode)) + " (" + way_words(load, true) +
            ").";
 }
 
@@ -147,22 +148,15 @@ constexpr std::string_view kWeakJoints = "In a house of lime mortar (2 MPa) half
                                          "took 38 % off the force and 37 % off the "
                                          "limit; no crushing added 28 and more than 32 %";
 
-std::string how_much(const Study& study, std::string_view key)
+std::string how_much(const JointInput& joint, std::string_view key)
 {
     constexpr double kWeak = 20e6; // [Pa]
-    const double strength = study.parameters.joint.crushing.strength;
+    const double strength = joint.crushing.strength;
     if (key == "joint.compressive_strength" && strength > 0.0 && strength < kWeak)
         return std::string(kWeakJoints);
     for (const HowMuch& h : kHowMuch)
         if (h.key == key) return std::string(h.words);
     return "";
-}
-
-/// The value as the study gives it, else as it is by default.
-std::string given_text(const Study& study, std::string_view key)
-{
-    const Entry* const entry = find_entry(study.source, key);
-    return entry != nullptr ? entry->value : value_text(*find_key(key), study);
 }
 
 /// Measured ones first, in the order of the table.
@@ -196,15 +190,15 @@ std::string spread_sentence(const StudyWalls& stored, std::size_t level)
 
 } // namespace
 
-std::string moving_part(const Study& study) { return by_body_forces(study) ? "wall" : "top"; }
+std::string moving_part(const LoadInput& load) { return by_body_forces(load) ? "wall" : "top"; }
 
-std::string drift_words(const Study& study)
+std::string drift_words(const LoadInput& load)
 {
-    const std::string_view moves = by_body_forces(study)
+    const std::string_view moves = by_body_forces(load)
                                        ? "the wall moves sideways, as a mean by weight"
                                        : "the top moves sideways";
     return "Drift: how far " + std::string(moves) + ", in percent of " +
-           std::string(height_words(study)) + ".";
+           std::string(height_words(load)) + ".";
 }
 
 std::vector<std::string> answer_sentences(const Study& study, const dem::Layout& layout,
@@ -212,9 +206,10 @@ std::vector<std::string> answer_sentences(const Study& study, const dem::Layout&
 {
     if (!wall.reading.no_reading.empty())
         return {sentence("No curve can be read: " + wall.reading.no_reading)};
-    std::vector<std::string> all = {strength_sentence(study, layout, wall),
-                                    limit_sentence(study, wall)};
-    if (!came_down_at_once(wall)) all.push_back(failure_sentence(study, wall));
+    std::vector<std::string> all = {
+        strength_sentence(study.load, wall, hand_checks(study, layout, wall).vertical_load),
+        limit_sentence(study.load, study.fragility, wall)};
+    if (!came_down_at_once(wall)) all.push_back(failure_sentence(study.load, wall));
     return all;
 }
 
@@ -222,15 +217,18 @@ std::vector<Assumption> assumptions(const Study& study, std::size_t most)
 {
     std::vector<Assumption> all;
     const auto add = [&](std::string_view key, std::string_view effect) {
-        all.push_back({std::string(key) + " = " + given_text(study, key), std::string(effect),
-                       how_much(study, key)});
+        const Entry* const given = find_entry(study.source, key);
+        all.push_back(
+            {std::string(key) + " = " +
+                 (given != nullptr ? given->value : value_text(*find_key(key), study)),
+             std::string(effect), how_much(study.parameters.joint, key)});
     };
     for (const LimitChoice& choice : limit_choices(study)) add(choice.key, choice.effect);
-    if (has_cracks(study))
+    if (has_cracks(study.geometry, study.cracks, study.source))
         all.push_back({"unit.cracks = " + (study.cracks.pattern.empty() ? std::string("mid")
                                                                         : study.cracks.pattern),
                        "stones crack along lines that are given beforehand, and nowhere else",
-                       how_much(study, "unit.cracks")});
+                       how_much(study.parameters.joint, "unit.cracks")});
     std::ranges::stable_sort(all, {}, rank);
     if (all.size() > most) all.resize(most);
     return all;
@@ -243,9 +241,9 @@ std::vector<std::string> certainty_sentences(const Study& study, const PushedWal
     const auto add = [&](const std::string& text) {
         if (!text.empty()) all.push_back(sentence(text));
     };
-    add(no_limit_remark(study, wall.reading));
+    add(no_limit_remark(study.load, study.solver, study.fragility, wall.reading));
     add(no_yield_remark(wall.reading));
-    if (wall.piers.empty()) add(pier_remark(study));
+    if (wall.piers.empty()) add(pier_remark(reading_rules(study), study.wall, study.geometry));
     if (stored != nullptr) {
         add(spread_sentence(*stored, level));
         const std::string piers = pier_counts(*stored, stored->levels.at(level));
@@ -259,7 +257,8 @@ std::vector<std::string> certainty_sentences(const Study& study, const PushedWal
         "forces were 28 % below to 22 % above the measured ones, and its limits within a "
         "factor of "
         "1.6" +
-        std::string(has_mortar(study) ? "; no wall with mortar was compared" : ""));
+        std::string(has_mortar(study.parameters.joint) ? "; no wall with mortar was compared"
+                                                       : ""));
     if (wall.result.curve.size() > 1)
         add("The calculation itself errs by about " +
             never_rounded_away(100.0 * solver_error(wall), 2) +

@@ -10,6 +10,7 @@
 
 namespace app {
 
+struct LoadInput;
 struct Study;
 
 /// A choice of the model, what it means here, and how much it moved the answer where that was
@@ -22,10 +23,10 @@ struct Assumption {
 
 /// Part of the wall whose movement is the displacement of its push: "top", or "wall" (its mean
 /// by weight) under body forces.
-[[nodiscard]] std::string moving_part(const Study& study);
+[[nodiscard]] std::string moving_part(const LoadInput& load);
 
 /// A sentence that defines the drift.
-[[nodiscard]] std::string drift_words(const Study& study);
+[[nodiscard]] std::string drift_words(const LoadInput& load);
 
 /// A few sentences that answer how much the wall carries, how far it goes, and how it fails.
 [[nodiscard]] std::vector<std::string>

@@ -13,19 +13,15 @@
 namespace app {
 namespace {
 
-/// Whether a push takes no longer than half a minute of one core.
-bool is_cheap(const Study& study, const dem::Layout& layout)
-{
-    constexpr double kMost = 1e9; // contact updates
-    if (!study.cracks.where.empty()) return false;
-    return expected_updates(study, layout) < kMost;
-}
-
 bool goes_both_ways(const Study& study, const dem::Layout& layout)
 {
-    if (study.load.direction != Direction::both || !has_other_way(study, layout)) return false;
-    if (!is_given(study.source, "load.direction")) return is_cheap(study, layout);
-    refuse_cracks_of_one_way(study);
+    if (study.load.direction != Direction::both || !has_other_way(study.load, layout))
+        return false;
+    constexpr double kMost = 1e9; // contact updates: half a minute of one core
+    if (!is_given(study.source, "load.direction"))
+        return study.cracks.where.empty() &&
+               expected_updates(study.load, study.discretisation, study.solver, layout) < kMost;
+    refuse_cracks_of_one_way(study.source);
     return true;
 }
 

@@ -22,12 +22,13 @@ struct Group {
 };
 
 /// In the order of their first walls.
-std::vector<Group> groups_of(const Study& study, std::size_t size, const SampleOf& sample)
+std::vector<Group> groups_of(const dem::WallGeometry& wall, const GeometryInput& geometry,
+                             std::size_t size, const SampleOf& sample)
 {
     std::vector<Group> groups;
     std::map<std::uint32_t, std::size_t> places;
     for (std::size_t i = 0; i < size; ++i) {
-        const std::uint32_t seed = layout_seed(study, sample(i));
+        const std::uint32_t seed = layout_seed(wall, geometry, sample(i));
         const auto [at, first] = places.try_emplace(seed, groups.size());
         if (first) groups.push_back({seed, {}});
         groups[at->second].walls.push_back(i);
@@ -143,8 +144,11 @@ void push_in_layouts(const PreparedStudy& ready, const dem::PushPlan& plan,
 {
     const Study& study = ready.study;
     if (list.size == 0) return;
-    if (!has_layouts(study)) return push_walls(study, model_of(ready), plan, list, threads);
-    LayoutRun(study, plan, list, groups_of(study, list.size, sample), threads).run();
+    if (!has_layouts(study.geometry))
+        return push_walls(study, model_of(ready), plan, list, threads);
+    LayoutRun(study, plan, list, groups_of(study.wall, study.geometry, list.size, sample),
+              threads)
+        .run();
 }
 
 } // namespace app

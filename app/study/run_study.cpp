@@ -36,7 +36,7 @@ PreparedStudy study_of(const PreparedStudy& ready, Round round)
 void run_pending(const PreparedStudy& ready, const StudyRun& run, const SamplePlan& plan,
                  Store& store, RunProgress& last)
 {
-    const Deal deal = deal_of(ready.study);
+    const Deal deal = deal_of(ready.study.geometry);
     const std::vector<WallKey> walls =
         pending_walls(store, run.shard, run.rerun_failed, deal, last.round);
     const std::size_t all = walls_of(store.head(), run.shard, deal, last.round).size();
@@ -55,13 +55,13 @@ void run_pending(const PreparedStudy& ready, const StudyRun& run, const SamplePl
 
 /// A shard that was begun when walls were divided otherwise would continue with walls that
 /// another shard has.
-void refuse_other_deal(const Study& study, const StudyRun& run)
+void refuse_other_deal(const GeometryInput& geometry, const StudyRun& run)
 {
     std::error_code ignored;
     if (run.shard.count == 1 || !std::filesystem::exists(run.file, ignored)) return;
     StoreReader reader(run.file);
     const std::vector<WallKey> foreign =
-        foreign_walls(reader.head(), reader.statuses(), deal_of(study));
+        foreign_walls(reader.head(), reader.statuses(), deal_of(geometry));
     if (!foreign.empty())
         throw BadStoredStudy(
             "'" + run.file.string() + "' has " + wall_name(foreign.front()) +
@@ -77,7 +77,7 @@ void work_on(const PreparedStudy& ready, const StudyRun& run,
              const std::vector<std::uint32_t>& sizes, StudyRunEnd& end)
 {
     const Study& study = ready.study;
-    refuse_other_deal(study, run);
+    refuse_other_deal(study.geometry, run);
     const SamplePlan plan = sample_plan(study, ready.layout, sizes);
     StoreHead head = head_of(study, ready.layout, plan, sizes);
     head.shard = static_cast<std::uint32_t>(run.shard.index);
@@ -110,10 +110,11 @@ StudyRunEnd run_study(const PreparedStudy& ready, const StudyRun& run)
 {
     const Study& study = ready.study;
     if (run.file.has_parent_path()) make_folder(run.file.parent_path());
-    std::vector<std::uint32_t> sizes = design_sizes(study, run.file);
+    std::vector<std::uint32_t> sizes =
+        design_sizes(study.geometry, study.uq, study.random, run.file);
     StudyRunEnd end;
     work_on(ready, run, sizes, end);
-    if (study.uq.stop == kNoStop || !is_random(study)) return end;
+    if (study.uq.stop == kNoStop || !is_random(study.geometry, study.random)) return end;
     while (end.whole) {
         const StoppingState state =
             stopping_state(read_study_walls(run.file, {}, Keep::readings));

@@ -25,11 +25,11 @@ std::vector<std::string_view> units_of(const SamplePlan& plan)
     return units;
 }
 
-Table head_of(const Study& study, const SamplePlan& plan)
+Table head_of(const GeometryInput& geometry, const SamplePlan& plan)
 {
     Table t;
     t.head = {"level", "vertical_stress [MPa]", "sample"};
-    if (has_layouts(study)) t.head.emplace_back("wall.seed");
+    if (has_layouts(geometry)) t.head.emplace_back("wall.seed");
     const std::vector<Column> columns = input_columns(plan);
     const std::vector<std::string_view> units = units_of(plan);
     for (std::size_t k = 0; k < columns.size(); ++k)
@@ -38,12 +38,13 @@ Table head_of(const Study& study, const SamplePlan& plan)
     return t;
 }
 
-Row row(const Study& study, const SamplePlan& plan, int level, int sample)
+Row row(const dem::WallGeometry& wall, const GeometryInput& geometry, const LoadInput& load,
+        const SamplePlan& plan, int level, int sample)
 {
-    const double stress = study.load.vertical_stress[level];
+    const double stress = load.vertical_stress[level];
     Row cells = {count(level), Number{from_si(stress, "MPa")}, count(sample)};
-    if (has_layouts(study))
-        cells.push_back(count(layout_seed(study, static_cast<std::uint32_t>(sample))));
+    if (has_layouts(geometry))
+        cells.push_back(count(layout_seed(wall, geometry, static_cast<std::uint32_t>(sample))));
     const std::vector<double> values = flattened(draw(plan, level, sample));
     const std::vector<std::string_view> units = units_of(plan);
     for (std::size_t k = 0; k < values.size(); ++k)
@@ -57,7 +58,7 @@ int sample_command(const Command& command)
 {
     const StudySource source = study_source(command.study, command.overrides);
     const Study& study = source.ready.study;
-    if (!is_random(study))
+    if (!is_random(study.geometry, study.random))
         throw error_at(study.source, "joint.friction_angle",
                        "nothing to draw: no value of this study is a distribution; write e.g. "
                        "\"friction_angle = normal(mean 31.8 deg, cov 0.20)\"");
@@ -67,11 +68,11 @@ int sample_command(const Command& command)
         !command.quiet)
         std::cerr << note;
     const SamplePlan plan = sample_plan(study, source.ready.layout, source.sizes);
-    Table table = head_of(study, plan);
+    Table table = head_of(study.geometry, plan);
     for (std::size_t level = 0; level < study.load.vertical_stress.size(); ++level)
         for (std::uint32_t sample = 0; sample < source.sizes.back(); ++sample)
-            table.rows.push_back(
-                row(study, plan, static_cast<int>(level), static_cast<int>(sample)));
+            table.rows.push_back(row(study.wall, study.geometry, study.load, plan,
+                                     static_cast<int>(level), static_cast<int>(sample)));
     const std::filesystem::path file = command.out;
     if (file.has_parent_path()) make_folder(file.parent_path());
     write_file(file, as_csv(table));

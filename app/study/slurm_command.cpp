@@ -92,15 +92,18 @@ int limit_minutes(double expected)
 
 std::size_t wall_count(const Study& study)
 {
-    return study.load.vertical_stress.size() * samples_of(study);
+    return study.load.vertical_stress.size() *
+           samples_of(study.geometry, study.uq, study.random);
 }
 
 /// Walls that would take as long as all pushes of the study and of its audit.
 double effort(const PreparedStudy& ready)
 {
     const Study& study = ready.study;
-    const std::uint32_t audit = std::min<std::uint32_t>(samples_of(study), study.uq.audit);
-    const double ways = pushes_both_ways(study, ready.layout) ? 2.0 : 1.0;
+    const std::uint32_t audit = std::min<std::uint32_t>(
+        samples_of(study.geometry, study.uq, study.random), study.uq.audit);
+    const double ways =
+        pushes_both_ways(study.geometry, study.load, study.source, ready.layout) ? 2.0 : 1.0;
     return ways * static_cast<double>(wall_count(study)) +
            static_cast<double>(study.load.vertical_stress.size()) * audit * kAuditSlower;
 }
@@ -119,7 +122,8 @@ int shard_count(const StudyWork& work, int threads)
 double seconds_per_wall(const PreparedStudy& ready)
 {
     const Study& study = ready.study;
-    const std::vector<std::uint32_t> sizes = {samples_of(study)};
+    const std::vector<std::uint32_t> sizes = {
+        samples_of(study.geometry, study.uq, study.random)};
     const SamplePlan plan = sample_plan(study, ready.layout, sizes);
     const int levels = static_cast<int>(study.load.vertical_stress.size());
     PushList pilot;

@@ -50,15 +50,17 @@ void say_levels(const Study& study, Shard shard)
 {
     StoreHead head;
     for (const double stress : study.load.vertical_stress)
-        head.levels.push_back({stress, samples_of(study)});
+        head.levels.push_back({stress, samples_of(study.geometry, study.uq, study.random)});
     std::set<std::uint32_t> here;
-    for (const WallKey wall : walls_of(head, shard, deal_of(study))) here.insert(wall.level);
+    for (const WallKey wall : walls_of(head, shard, deal_of(study.geometry)))
+        here.insert(wall.level);
     if (here.size() == head.levels.size()) return;
     std::cerr << wrapped(
         "note: this shard has walls under " + std::to_string(here.size()) + " of " +
             std::to_string(head.levels.size()) + " stresses because there are fewer samples (" +
-            std::to_string(samples_of(study)) + ") than shards (" +
-            std::to_string(shard.count) + "); alone it says nothing about the others\n",
+            std::to_string(samples_of(study.geometry, study.uq, study.random)) +
+            ") than shards (" + std::to_string(shard.count) +
+            "); alone it says nothing about the others\n",
         terminal_width());
 }
 
@@ -97,11 +99,11 @@ StudyRunEnd run_with_line(const PreparedStudy& ready, StudyRun run, bool quiet)
     return run_study(ready, run);
 }
 
-void check_stop(const Study& study, const Command& command)
+void check_stop(const UqInput& uq, const StudyFile& source, const Command& command)
 {
     const bool shards = command.shard.count > 1 || !command.script.empty();
-    if (study.uq.stop != kNoStop && shards)
-        throw error_at(study.source, "uq.stop",
+    if (uq.stop != kNoStop && shards)
+        throw error_at(source, "uq.stop",
                        "a shard cannot tell when the study has enough walls; give uq.samples");
 }
 
@@ -111,7 +113,7 @@ int study_command(const Command& command, const FrameTaker& frames)
 {
     const PreparedStudy ready = prepare(read_study(command.study, command.overrides));
     const Study& study = ready.study;
-    check_stop(study, command);
+    check_stop(study.uq, study.source, command);
     std::cerr << study_notes(ready, command.verb);
     if (!command.script.empty()) return write_slurm_script(pushing_work(ready), command);
     StudyRun run;

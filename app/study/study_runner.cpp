@@ -11,7 +11,10 @@
 #include <utility>
 
 namespace app {
-Deal deal_of(const Study& study) { return has_layouts(study) ? Deal::samples : Deal::walls; }
+Deal deal_of(const GeometryInput& geometry)
+{
+    return has_layouts(geometry) ? Deal::samples : Deal::walls;
+}
 
 namespace {
 
@@ -71,7 +74,6 @@ RunProgress run_walls(const PreparedStudy& ready, const SamplePlan& plan,
                       const std::function<void(const RunProgress&)>& seen,
                       const FrameTaker& frames, RunProgress start)
 {
-    const Study& study = ready.study;
     RunProgress so_far = start;
     so_far.all = walls.size();
     RowBuffer rows(store);
@@ -95,7 +97,7 @@ RunProgress run_walls(const PreparedStudy& ready, const SamplePlan& plan,
     };
     try {
         push_in_layouts(
-            ready, frames ? filmed_plan(study) : bare_plan(study), list,
+            ready, frames ? filmed_plan(ready.study) : bare_plan(ready.study), list,
             [&](std::size_t i) { return walls[i].sample; }, threads);
     } catch (...) {
         rows.flush();

@@ -13,12 +13,14 @@
 
 namespace app {
 
+struct GeometryInput;
+
 /// Portions that are dealt out to the shards of a study, in turns.
 enum class Deal {
     walls,  ///< of each level every N-th, from another shard on for each level
     samples ///< with the walls under all stresses, which lie in one layout
 };
-[[nodiscard]] Deal deal_of(const Study& study);
+[[nodiscard]] Deal deal_of(const GeometryInput& geometry);
 
 /// Walls of a part of a study, sample by sample under all levels, so that a study that is
 /// stopped has about as many of each. Samples that are added later change nothing for those

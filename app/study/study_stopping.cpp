@@ -39,27 +39,26 @@ uq::StoppingRule rule_of(const UqInput& uq)
 
 /// Value of a wall that gave a result: of the response, or whether it failed in another mode
 /// than mixed.
-double value_of(const WallReading& wall, const Study& study)
+double value_of(const WallReading& wall, const LoadInput& load, const UqInput& uq)
 {
-    if (study.uq.stop == kStopAtMixedShare)
-        return wall.mode == dem::FailureMode::mixed ? 0.0 : 1.0;
-    return kWallNumbers.at(study.uq.stop).reading(wall, study.load.height);
+    if (uq.stop == kStopAtMixedShare) return wall.mode == dem::FailureMode::mixed ? 0.0 : 1.0;
+    return kWallNumbers.at(uq.stop).reading(wall, load.height);
 }
 
 /// A response that walls outlast is judged by its median of Kaplan and Meier: the mean of the
 /// walls that the push was long enough for would be too small, and its interval too narrow.
-bool stops_at_median(const Study& study)
+bool stops_at_median(const UqInput& uq)
 {
-    return study.uq.stop != kStopAtMixedShare && kWallNumbers.at(study.uq.stop).ends_with_push;
+    return uq.stop != kStopAtMixedShare && kWallNumbers.at(uq.stop).ends_with_push;
 }
 
-std::optional<uq::Estimate> stopping_median(const StudyLevel& level, const Study& study,
-                                            double confidence)
+std::optional<uq::Estimate> stopping_median(const StudyLevel& level, const LoadInput& load,
+                                            const UqInput& uq, double confidence)
 {
-    const WallNumber& response = kWallNumbers.at(study.uq.stop);
+    const WallNumber& response = kWallNumbers.at(uq.stop);
     std::vector<fragility::Observation> walls;
     for (const StudyWall& w : level.walls)
-        if (const double x = value_of(w.reading, study); !std::isnan(x))
+        if (const double x = value_of(w.reading, load, uq); !std::isnan(x))
             walls.push_back(response.is_bound(w.reading) ? fragility::right_censored(x)
                                                          : fragility::observed(x));
     if (walls.empty()) return {};
@@ -72,25 +71,25 @@ std::optional<uq::Estimate> stopping_median(const StudyLevel& level, const Study
                         .interval = {m.interval.lower, m.interval.upper, confidence}};
 }
 
-uq::StoppingDecision stopping_decision(const StudyLevel& level, const Study& study,
-                                       const uq::StoppingRule& rule)
+uq::StoppingDecision stopping_decision(const StudyLevel& level, const LoadInput& load,
+                                       const UqInput& uq, const uq::StoppingRule& rule)
 {
     const std::size_t n = level.walls.size() + level.failed_walls.size();
-    if (stops_at_median(study))
-        return uq::judge(rule, n, stopping_median(level, study, rule.confidence));
+    if (stops_at_median(uq))
+        return uq::judge(rule, n, stopping_median(level, load, uq, rule.confidence));
     std::vector<double> values(level.failed_walls.size(), kFailed);
-    for (const StudyWall& w : level.walls) values.push_back(value_of(w.reading, study));
+    for (const StudyWall& w : level.walls) values.push_back(value_of(w.reading, load, uq));
     return uq::judge(rule, values);
 }
 
 /// "54 walls, half width 0.0209 (wanted: 0.03), precise enough"
-std::string stopping_words(const StudyLevel& level, const Study& study,
+std::string stopping_words(const StudyLevel& level, const UqInput& uq,
                            const uq::StoppingRule& rule, const uq::StoppingDecision& d)
 {
     std::string text =
         std::to_string(level.walls.size() + level.failed_walls.size()) + " walls, ";
-    if (stops_at_median(study)) {
-        const WallNumber& response = kWallNumbers.at(study.uq.stop);
+    if (stops_at_median(uq)) {
+        const WallNumber& response = kWallNumbers.at(uq.stop);
         const auto n = std::ranges::count_if(
             level.walls, [&](const StudyWall& w) { return response.is_bound(w.reading); });
         if (n > 0) text += std::to_string(n) + " of them outlast the push, ";
@@ -109,10 +108,11 @@ StoppingState stopping_state(const StudyWalls& walls)
     const uq::StoppingRule rule = rule_of(walls.study.uq);
     StoppingState state;
     for (const StudyLevel& level : walls.levels) {
-        const uq::StoppingDecision d = stopping_decision(level, walls.study, rule);
+        const uq::StoppingDecision d =
+            stopping_decision(level, walls.study.load, walls.study.uq, rule);
         state.next = std::max(state.next, static_cast<std::uint32_t>(d.next_n));
         state.remark += stress_text(level.stress) + ": " +
-                        stopping_words(level, walls.study, rule, d) + "\n";
+                        stopping_words(level, walls.study.uq, rule, d) + "\n";
     }
     return state;
 }

@@ -17,9 +17,10 @@
 namespace app {
 namespace {
 
-Row cells(const StudyLevel& level, const Study& study, const std::vector<int>& modes)
+Row cells(const StudyLevel& level, const dem::SolverOptions& solver,
+          const FragilityInput& fragility, const std::vector<int>& modes)
 {
-    const double confidence = study.fragility.confidence;
+    const double confidence = fragility.confidence;
     const std::size_t n = level.walls.size();
     std::size_t censored = 0;
     std::vector<double> peaks;
@@ -39,7 +40,7 @@ Row cells(const StudyLevel& level, const Study& study, const std::vector<int>& m
     Row row = {stress_cell(level.stress), count(n), count(level.failed_walls.size()),
                mean_cell(peaks, 1, 1e-3), cov_cell(peaks)};
     for (const int mode : modes) row.emplace_back(share(mode));
-    const WallErrors errors = wall_errors(level, &StudyWall::solver_error, study);
+    const WallErrors errors = wall_errors(level, &StudyWall::solver_error, solver);
     return joined(row, {median_cell(ultimate, confidence, 1), count(ultimate.size() - censored),
                         count(censored), plain_number(100.0 * median_error(errors.known), 2),
                         plain_number(100.0 * upper_error(errors.known), 2),
@@ -68,7 +69,7 @@ StudySummary summarise(const StudyWalls& walls)
         "estimates for its peak force, and what 95 % of them lie below (of fewer than 20 walls "
         "the largest); inaccurate: walls above the " +
         error_text(walls.study.solver.accuracy) + " asked for (solver.accuracy)." +
-        backbone_text(walls.study);
+        backbone_text(walls.study.load, walls.study.fragility);
     s.table.head = {"stress [MPa]", "walls", "failed",
                     number_head(wall_number("peak_force"), kError), "COV"};
     const std::vector<int> modes = modes_of(walls);
@@ -82,7 +83,7 @@ StudySummary summarise(const StudyWalls& walls)
                                              {"solver error of 95 % [%]", kProgramsOnly},
                                              "inaccurate"});
     for (const StudyLevel& level : walls.levels) {
-        s.table.rows.push_back(cells(level, walls.study, modes));
+        s.table.rows.push_back(cells(level, walls.study.solver, walls.study.fragility, modes));
         s.failed += level.failed_walls.size();
         s.missing += level.missing;
     }

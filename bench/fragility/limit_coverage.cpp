@@ -1,6 +1,7 @@
 /// How often the drift limits of `drystone fragility` hold the truth, on synthetic studies;
 /// writes docs/bench/fragility/limit_coverage.md.
 
+#include "app/input/study/study.hpp"
 #include "app/text/number_text.hpp"
 #include "bench/report.hpp"
 #include "core/interval.hpp"

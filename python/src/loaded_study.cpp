@@ -37,7 +37,7 @@ app::StudySource with_wall(const std::string& path, const std::vector<std::strin
     std::vector<std::string> all = wall;
     all.insert(all.end(), overrides.begin(), overrides.end());
     app::Study study = app::read_study(app::with_overrides(std::move(file), all));
-    const std::uint32_t samples = app::samples_of(study);
+    const std::uint32_t samples = app::samples_of(study.geometry, study.uq, study.random);
     return {app::prepare(std::move(study)), {samples}, {}};
 }
 
@@ -77,8 +77,9 @@ const dem::Model& model_of(LoadedStudy& study)
 std::shared_ptr<LoadedStudy> study_of(const std::shared_ptr<LoadedStudy>& study, int sample)
 {
     const app::Study& all = study->source.ready.study;
-    if (!app::has_layouts(all)) return study;
-    const std::uint32_t seed = app::layout_seed(all, static_cast<std::uint32_t>(sample));
+    if (!app::has_layouts(all.geometry)) return study;
+    const std::uint32_t seed =
+        app::layout_seed(all.wall, all.geometry, static_cast<std::uint32_t>(sample));
     std::shared_ptr<LoadedStudy>& own = study->layouts[seed];
     if (!own) {
         app::StudySource source{app::in_layout(all, seed), study->source.sizes,

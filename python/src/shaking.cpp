@@ -40,11 +40,11 @@ py::dict history_of(const app::ShakenWall& wall, const std::string& study)
 std::vector<py::dict> shake(const std::shared_ptr<LoadedStudy>& study,
                             std::optional<int> sample, bool mean, const std::string& level)
 {
-    const std::vector<app::ShakingMotion> motions =
-        app::shaking_motions(study->source.ready.study);
+    const std::vector<app::ShakingMotion> motions = app::shaking_motions(
+        study->source.ready.study.shaking, study->source.ready.study.source);
     const app::PreparedStudy shaken =
         app::shaken_study(study->source.ready, sample.value_or(0));
-    const int asked = app::level_of(study->source.ready.study, level);
+    const int asked = app::level_of(study->source.ready.study.load, level);
     app::WantedWall wanted;
     for (app::WantedWall& wall : app::wanted_walls(study->source, {sample, mean, level}))
         if (wall.level == asked) wanted = std::move(wall);

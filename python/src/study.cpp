@@ -144,7 +144,7 @@ WallOfStudy push(const StudyPointer& study, std::optional<int> sample, bool mean
         app::wanted_walls(study->source, {sample, mean, level});
     if (!study->source.ready.study.uq.drawn.empty())
         return std::move(with_study(study, all, {sample}, threads, snapshots).front());
-    const int asked = app::level_of(study->source.ready.study, level);
+    const int asked = app::level_of(study->source.ready.study.load, level);
     for (const app::WantedWall& wall : all)
         if (wall.level == asked)
             return std::move(with_study(study_of(study, sample.value_or(0)), {wall}, {sample},
@@ -209,7 +209,7 @@ std::vector<WallOfStudy> push_values(const StudyPointer& study, int level,
 void run(const LoadedStudy& study, const std::string& out, int threads, bool rerun_failed,
          const py::object& progress)
 {
-    app::refuse_drawn(study.source.ready.study);
+    app::refuse_drawn(study.source.ready.study.uq, study.source.ready.study.source);
     if (!study.source.ready.study.shaking.records.empty())
         throw app::error_at(study.source.ready.study.source, "shaking.records",
                             "this study shakes walls, and run() pushes them; write "
@@ -252,7 +252,7 @@ void bind_study(py::module_& m)
                                })
         .def("level_of",
              [](const LoadedStudy& s, const std::string& text) {
-                 return app::level_of(s.source.ready.study, text);
+                 return app::level_of(s.source.ready.study.load, text);
              })
         .def("columns", &columns)
         .def("joints",

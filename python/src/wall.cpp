@@ -1,3 +1,4 @@
+#include "app/input/keys/limit_state_text.hpp"
 #include "app/input/study/study.hpp"
 #include "app/output/cycle_columns.hpp"
 #include "app/push/capacity_svg.hpp"
@@ -50,7 +51,8 @@ std::string picture(const WallOfStudy& w)
             "no picture: the numbers of this run broke; summary[\"outcome\"] says how");
     if (r.at_peak.blocks.empty() && !w.wall.displacement.empty())
         throw std::runtime_error("no picture: push this wall with frames=True");
-    return app::pushed_picture(study_as_used(w), w.study->source.ready.layout, w.wall);
+    const app::Study used = study_as_used(w);
+    return app::pushed_picture(used.beam, used.load, w.study->source.ready.layout, w.wall);
 }
 
 /// Outlines of the blocks as they stand, [m].
@@ -145,7 +147,9 @@ void bind_wall(py::module_& m)
                                })
         .def("capacity_csv", [](const WallOfStudy& w) { return app::capacity_text(w.wall); })
         .def("capacity_svg",
-             [](const WallOfStudy& w) { return app::capacity_svg(study_as_used(w), w.wall); })
+             [](const WallOfStudy& w) {
+                 return app::capacity_svg(app::reading_rules(study_as_used(w)), w.wall);
+             })
         .def("wall_svg", &picture)
         .def("frames", &frames)
         .def("cycles", &cycles)

@@ -232,18 +232,20 @@ inline app::Study read_good(const std::vector<std::string>& overrides = {})
 
 inline dem::JointMaterial joint_material(const app::Study& s, int level)
 {
-    return app::joint_material(s.parameters, s.wall.course_height, app::stress_level(s, level));
+    return app::joint_material(s.parameters, s.wall.course_height,
+                               app::stress_level(s.load, level));
 }
 
 inline dem::CrackMaterial crack_material(const app::Study& s, int level)
 {
-    return app::crack_material(s.parameters, s.wall.course_height, app::stress_level(s, level));
+    return app::crack_material(s.parameters, s.wall.course_height,
+                               app::stress_level(s.load, level));
 }
 
 /// All values as in the study, under its stress level `level`.
 inline dem::WallMaterials materials(const app::Study& s, int level)
 {
-    return app::materials(s.parameters, s.wall.course_height, app::stress_level(s, level),
+    return app::materials(s.parameters, s.wall.course_height, app::stress_level(s.load, level),
                           app::layout_of(s));
 }
 

@@ -1,6 +1,7 @@
 /// The functions that the page calls. Texts go in as UTF-8 in the module's memory, answers come
 /// out as JSON: {"error": "..."} with the program's own message where an input is wrong.
 
+#include "app/input/keys/limit_state_text.hpp"
 #include "app/input/study_reading.hpp"
 #include "try/wasm/page_json.hpp"
 
@@ -84,7 +85,7 @@ void refuse_random(const Study& study)
 dem::PushPlan shown_plan(const Study& study, int frames)
 {
     dem::PushPlan plan = app::push_plan(study);
-    plan.snapshot_every = app::push_way(study).length / frames;
+    plan.snapshot_every = app::push_way(study.load).length / frames;
     plan.sink.take = [first = true](std::size_t, dem::Snapshot&& shot) mutable {
         if (std::exchange(first, false)) say(begin, page::moving_scene_json(shot));
         const std::vector<float> numbers = page::movement_of(shot);
@@ -103,8 +104,8 @@ Json result_of(const PreparedStudy& ready, const app::PushedWall& w)
               {"limits", page::limits_json(study, w.reading, w.loads.height)}};
     if (dem::failed(w.result.outcome)) return j;
     j["capacity.csv"] = app::capacity_text(w);
-    j["capacity.svg"] = app::capacity_svg(study, w, {});
-    j["wall.svg"] = app::pushed_picture(study, ready.layout, w);
+    j["capacity.svg"] = app::capacity_svg(app::reading_rules(study), w, {});
+    j["wall.svg"] = app::pushed_picture(study.beam, study.load, ready.layout, w);
     return j;
 }
 

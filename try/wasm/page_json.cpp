@@ -99,8 +99,8 @@ Json scene_json(const app::PreparedStudy& ready)
                           {"course", layout.blocks[b].course}});
     for (const dem::Face& f : layout.faces)
         if (f.kind == dem::FaceKind::unit_crack) cracks.push_back(point_list({f.from, f.to}));
-    const dem::Loads loads = app::loads(study, 0);
-    const app::PushWay way = app::push_way(study);
+    const dem::Loads loads = app::loads(study.load, 0);
+    const app::PushWay way = app::push_way(study.load);
     return {{"blocks", blocks},
             {"cracks", cracks},
             {"length", layout.length},

@@ -143,10 +143,9 @@ std::string counts_text(const DriftData& data)
     return text;
 }
 
-DriftOptions drift_options(const Study& study)
+DriftOptions drift_options(const UqInput& uq, const FragilityInput& f)
 {
-    const FragilityInput& f = study.fragility;
-    return {f.law, f.confidence, static_cast<std::size_t>(f.bootstrap), study.uq.seed};
+    return {f.law, f.confidence, static_cast<std::size_t>(f.bootstrap), uq.seed};
 }
 
 DriftData drift_data(const StudyWalls& walls)
@@ -158,14 +157,15 @@ DriftData drift_data(const StudyWalls& walls)
     data.no_limit = no_limit_remark(walls);
     if (const std::string yield = no_yield_remark(walls); !yield.empty())
         data.no_limit += (data.no_limit.empty() ? "" : " ") + yield;
-    data.model_text = factor_text(walls.study, Answer::drift);
-    if (const std::string piers = pier_remark(walls.study);
+    data.model_text = factor_text(walls.study.solver, walls.study.fragility, Answer::drift);
+    if (const std::string piers =
+            pier_remark(walls.rules, walls.study.wall, walls.study.geometry);
         !piers.empty() && walls.piers.empty())
         data.drift += "; " + piers;
     data.group_head = "stress [MPa]";
     const std::vector<int> modes = modes_of(walls);
     for (const int mode : modes) data.modes.emplace_back(mode_name(mode));
-    data.options = drift_options(walls.study);
+    data.options = drift_options(walls.study.uq, walls.study.fragility);
     data.states = walls.states;
     for (const StudyLevel& level : walls.levels) {
         DriftGroup group{stress_text(level.stress), level.stress / 1e6, {},
@@ -174,7 +174,7 @@ DriftData drift_data(const StudyWalls& walls)
         for (const StudyWall& w : level.walls) {
             const auto mode = std::ranges::find(modes, mode_of(w));
             DriftWall wall{static_cast<int>(mode - modes.begin()), {}};
-            if (misses_accuracy(w.solver_error, walls.study)) allow_for_error(w, wall);
+            if (misses_accuracy(w.solver_error, walls.study.solver)) allow_for_error(w, wall);
             wall.piers = w.reading.governing;
             for (std::size_t s = 0; s < w.reading.limits.size(); ++s) {
                 auto o = fragility::observation(w.reading.limits[s],

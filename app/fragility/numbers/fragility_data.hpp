@@ -18,7 +18,8 @@
 
 namespace app {
 
-struct Study;
+struct FragilityInput;
+struct UqInput;
 struct StudyWalls;
 
 struct DriftWall {
@@ -57,7 +58,7 @@ struct DriftOptions {
     std::size_t bootstrap = 1000; ///< samples behind p-values; 0: none
     std::uint64_t seed = 1;       ///< of these
 };
-[[nodiscard]] DriftOptions drift_options(const Study& study);
+[[nodiscard]] DriftOptions drift_options(const UqInput& uq, const FragilityInput& fragility);
 
 struct DriftData {
     std::string source;   ///< of captions: "paper.h5, 250 walls"

@@ -173,7 +173,7 @@ Table drift_doubt_table(const DriftData& data)
 Table force_doubt_table(const StudyWalls& walls)
 {
     Words words = words_of(walls);
-    words["factor"] = factor_text(walls.study, Answer::force);
+    words["factor"] = factor_text(walls.study.solver, walls.study.fragility, Answer::force);
     Table t = titled_table("forces_with_doubt", words);
     t.head = {"stress [MPa]", {"n", kDetail}};
     for (Head& h : doubt_head("median peak [kN]", "16 % peak [kN]", "84 % peak [kN]"))

@@ -11,9 +11,12 @@
 
 namespace app {
 
+struct RandomInput;
+struct UqInput;
+
 /// Whether walls come from a Latin hypercube with one value of each input per wall, none of
 /// them correlated.
-[[nodiscard]] bool in_hypercube(const Study& study);
+[[nodiscard]] bool in_hypercube(const UqInput& uq, const std::vector<RandomInput>& random);
 
 /// Standard error of the mean of y over the walls of the level that are members, under a
 /// hypercube (uq::latin_subset_error); nothing where the study has none, of fewer than two

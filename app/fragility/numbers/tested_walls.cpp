@@ -75,10 +75,10 @@ std::string outside(std::string_view what, double value, double least, double mo
 
 /// The sentence on the factor of the tests, for a caption: its numbers, and how many walls
 /// stand behind it.
-std::string tests_text(Answer answer, const Study& study)
+std::string tests_text(Answer answer, const dem::SolverOptions& solver)
 {
-    const auto walls = tested_walls(answer, study.solver.damping);
-    const EstimatedFactor& e = tests_factor(answer, study.solver.damping);
+    const auto walls = tested_walls(answer, solver.damping);
+    const EstimatedFactor& e = tests_factor(answer, solver.damping);
     const auto two = [](double x) { return fixed(x, 2); };
     return "The factor of the tests (test over prediction, " + std::to_string(walls.size()) +
            " walls of Lourenco et al. 2005) has the median " + two(e.factor.median) + " [" +
@@ -131,12 +131,13 @@ EstimatedFactor estimated_factor(std::span<const TestedWall> walls)
 
 std::string unlike_tested(const Study& study, double stress, Answer answer)
 {
-    if (is_drawn(study) || study.geometry.rubble) return "they are not in courses";
+    if (is_drawn(study.geometry) || study.geometry.rubble) return "they are not in courses";
     if (!study.geometry.openings.empty()) return "they have openings";
-    if (has_mortar(study)) return "their joints are bonded";
+    if (has_mortar(study.parameters.joint)) return "their joints are bonded";
     if (!study.cracks.in_units) return "their units cannot crack";
-    if (push_way(study).direction == 0) return "they are pushed to and fro";
-    if (std::string why = outside("their length is", wall_length(study), 0.75, 1.25, "m");
+    if (push_way(study.load).direction == 0) return "they are pushed to and fro";
+    if (std::string why = outside("their length is", wall_length(study.wall, study.geometry),
+                                  0.75, 1.25, "m");
         !why.empty())
         return why;
     if (std::string why = outside("their load stands at", study.load.height, 0.80, 1.40, "m");
@@ -161,14 +162,14 @@ AppliedFactor applied_factor(const Study& study, double stress, Answer answer)
     return {factor, "tests, median not applied", std::move(unlike)};
 }
 
-std::string factor_text(const Study& study, Answer answer)
+std::string factor_text(const dem::SolverOptions& solver, const FragilityInput& fragility,
+                        Answer answer)
 {
     const bool drift = answer == Answer::drift;
-    const std::string& text =
-        drift ? study.fragility.model_factor : study.fragility.model_factor_force;
+    const std::string& text = drift ? fragility.model_factor : fragility.model_factor_force;
     const std::string key = drift ? "fragility.model_factor" : "fragility.model_factor_force";
     const std::string start = key + " = " + text + ".";
-    return text == "tests" ? start + " " + tests_text(answer, study) : start;
+    return text == "tests" ? start + " " + tests_text(answer, solver) : start;
 }
 
 } // namespace app

@@ -15,6 +15,7 @@
 
 namespace app {
 
+struct FragilityInput;
 struct Study;
 
 /// The answer of the program that a factor multiplies.
@@ -64,7 +65,8 @@ struct AppliedFactor {
 
 /// "fragility.model_factor = tests. The factor of the tests ... has the median 0.78 [0.5, 1.2]
 /// ...", for captions.
-[[nodiscard]] std::string factor_text(const Study& study, Answer answer);
+[[nodiscard]] std::string factor_text(const dem::SolverOptions& solver,
+                                      const FragilityInput& fragility, Answer answer);
 
 /// Why walls are not like those tested: "the load is 3 m above the floor (tested 1.1 m)"; empty
 /// where they are. Like them are walls in courses, without openings, of dry joints and units

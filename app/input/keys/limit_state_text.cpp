@@ -93,10 +93,10 @@ UserState parse_state(std::string_view text)
 
 /// From the foot of the wall, where its flexural capacity is attained, to the contraflexure
 /// point [m]: half-way up where the beam does not turn.
-double shear_span(const Study& study)
+double shear_span(const dem::Beam& beam, const LoadInput& load)
 {
-    const bool turns = !study.beam.present || study.beam.rotation == dem::BeamRotation::free;
-    return turns ? study.load.height : 0.5 * study.load.height;
+    const bool turns = !beam.present || beam.rotation == dem::BeamRotation::free;
+    return turns ? load.height : 0.5 * load.height;
 }
 
 /// Asks for the rule of a state: what contradicts itself is refused.
@@ -117,23 +117,24 @@ std::vector<std::string_view> set_words(const std::vector<fragility::Code>& code
     return words;
 }
 
-void add_set(const Study& study, std::string_view name, ReadingRules& rules)
+void add_set(const FragilityInput& fragility, const StudyFile& source, std::string_view name,
+             ReadingRules& rules)
 {
     if (name == "user") {
-        rules.user = parse_user_states(study.fragility.user_states);
+        rules.user = parse_user_states(fragility.user_states);
         if (rules.user.empty())
             throw BadValue(
                 "is missing, and the set user needs it; write \"name: 0.7 yield; ...\"");
         return;
     }
-    const std::vector<fragility::Code> codes = known_codes(study);
+    const std::vector<fragility::Code> codes = known_codes(fragility);
     const fragility::Code* const code = fragility::find_code(codes, name);
     if (code == nullptr)
-        throw error_at(study.source, "fragility.limit_states",
+        throw error_at(source, "fragility.limit_states",
                        in_quotes(name) + " is not a set; " +
                            suggestion(name, set_words(codes)));
     if (code->states.empty())
-        throw error_at(study.source, "fragility.limit_states",
+        throw error_at(source, "fragility.limit_states",
                        "of " + in_quotes(name) + ", " + code->title +
                            ", nothing is given here: " + code->missing +
                            "; write its limit states into a file of your own "
@@ -157,21 +158,22 @@ std::vector<UserState> parse_user_states(std::string_view text)
     return states;
 }
 
-std::vector<fragility::Code> known_codes(const Study& study)
+std::vector<fragility::Code> known_codes(const FragilityInput& fragility)
 {
-    std::vector<fragility::Code> codes = study.fragility.own_codes;
+    std::vector<fragility::Code> codes = fragility.own_codes;
     for (const fragility::Code& code : fragility::built_in_codes())
         if (fragility::find_code(codes, code.name) == nullptr) codes.push_back(code);
     return codes;
 }
 
-std::vector<fragility::Code> pier_codes(const Study& study)
+std::vector<fragility::Code> pier_codes(const FragilityInput& fragility,
+                                        const ReadingRules& rules)
 {
     std::vector<fragility::Code> codes;
-    const std::vector<fragility::Code> known = known_codes(study);
+    const std::vector<fragility::Code> known = known_codes(fragility);
     for (const std::string_view name : {"ntc", "ec8"})
         codes.push_back(*fragility::find_code(known, name));
-    for (const fragility::Code& set : reading_rules(study).sets)
+    for (const fragility::Code& set : rules.sets)
         if (limits_drift(set) && fragility::find_code(codes, set.name) == nullptr)
             codes.push_back(set);
     return codes;
@@ -184,14 +186,15 @@ ReadingRules reading_rules(const Study& study)
     rules.options = {f.ultimate_share, f.crossing, f.bilinear_share};
     rules.mode = f.mode;
     rules.height = study.load.height;
-    rules.slenderness = shear_span(study) / wall_length(study);
-    rules.direction = push_way(study).direction;
+    rules.slenderness =
+        shear_span(study.beam, study.load) / wall_length(study.wall, study.geometry);
+    rules.direction = push_way(study.load).direction;
     rules.backbone = f.backbone;
     rules.accuracy = study.solver.accuracy;
     read_at(study.source, "fragility.user_states", [&] {
         static_cast<void>(parse_user_states(f.user_states)); // also where no set asks for them
         for (const std::string_view name : split(f.limit_states, ","))
-            add_set(study, name, rules);
+            add_set(study.fragility, study.source, name, rules);
     });
     return rules;
 }

@@ -8,6 +8,7 @@
 
 namespace app {
 
+struct FragilityInput;
 struct Study;
 
 /// "slight: 0.7 yield; heavy: 0.5 yield + 0.5 ultimate; crack: rise 0.33; half: drop 0.5; near:
@@ -16,10 +17,11 @@ struct Study;
 [[nodiscard]] std::vector<UserState> parse_user_states(std::string_view text);
 
 /// All codes that a study can name: those of the program, and those of fragility.codes.
-[[nodiscard]] std::vector<fragility::Code> known_codes(const Study& study);
+[[nodiscard]] std::vector<fragility::Code> known_codes(const FragilityInput& fragility);
 
 /// Codes whose drift limits are told of each pier: ntc and ec8, and those the study asks for.
-[[nodiscard]] std::vector<fragility::Code> pier_codes(const Study& study);
+[[nodiscard]] std::vector<fragility::Code> pier_codes(const FragilityInput& fragility,
+                                                      const ReadingRules& rules);
 
 /// read_study has asked for it: a study that was read has rules.
 /// @throws ConfigError at the key to change

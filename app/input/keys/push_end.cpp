@@ -17,11 +17,11 @@ constexpr double kBelowShare = 0.02;
 
 /// Whether a push goes one way until its limits are decided, unless the study says otherwise;
 /// of a protocol the push that finds its scale.
-bool goes_to_its_limit(const Study& study)
+bool goes_to_its_limit(const LoadInput& load, const dem::SolverOptions& solver)
 {
-    const bool scaled = study.load.protocol != dem::Protocol::none && study.load.scale_one_way;
-    return (push_way(study).direction != 0 || scaled) &&
-           study.solver.kinematics == dem::Kinematics::finite;
+    const bool scaled = load.protocol != dem::Protocol::none && load.scale_one_way;
+    return (push_way(load).direction != 0 || scaled) &&
+           solver.kinematics == dem::Kinematics::finite;
 }
 
 bool is_drift_alone(const fragility::CodeState& s)
@@ -49,7 +49,7 @@ bool reads_the_end(const fragility::Code& code)
 
 void derive_push_end(Study& study)
 {
-    if (!goes_to_its_limit(study)) return;
+    if (!goes_to_its_limit(study.load, study.solver)) return;
     const double way = std::ceil(kFarthest * study.load.height * 1e3 - 1e-6) / 1e3;
     double asked = 0.0; // drifts that a limit state names [-]
     const ReadingRules rules = reading_rules(study);
@@ -62,7 +62,8 @@ void derive_push_end(Study& study)
 
 void derive_stop_below(Study& study)
 {
-    if (!goes_to_its_limit(study) || push_way(study).direction == 0) return;
+    if (!goes_to_its_limit(study.load, study.solver) || push_way(study.load).direction == 0)
+        return;
     const ReadingRules rules = reading_rules(study);
     double least = rules.options.ultimate_share;
     bool to_the_end = rules.options.crossing == fragility::Crossing::last ||
@@ -82,7 +83,7 @@ void derive_stop_below(Study& study)
 
 void derive_snapshots(Study& study)
 {
-    if (!goes_to_its_limit(study)) return;
+    if (!goes_to_its_limit(study.load, study.solver)) return;
     constexpr double kPictures = 100.0, kHalf = 0.5e-3; // choice; [m]
     const double apart = study.load.max_displacement / kPictures;
     study.output.snapshot_every = kHalf * std::max(1.0, std::ceil(apart / kHalf - 1e-6));

@@ -18,25 +18,26 @@ constexpr Named named(std::string_view word, auto value)
 inline constexpr std::array kYesNo = {named("yes", true), named("no", false)};
 
 /// The condition of keys that say how a file is read.
-inline constexpr Condition kOfFile{[](const Study& s) { return !s.geometry.file.empty(); },
-                                   "there is no wall.geometry to read; remove it", true};
+inline constexpr Condition kOfFile{
+    asks<&Study::geometry>([](auto& g) { return !g.file.empty(); }),
+    "there is no wall.geometry to read; remove it", true};
 
 inline constexpr Condition kWithBaseJoint{
-    [](const Study& s) { return s.wall.base == dem::Base::joint; },
+    asks<&Study::wall>([](auto& w) { return w.base == dem::Base::joint; }),
     "there is no base joint; write wall.base = joint, or remove it", true};
-inline constexpr Condition kWithBeam{[](const Study& s) { return s.beam.present; },
+inline constexpr Condition kWithBeam{asks<&Study::beam>([](auto& b) { return b.present; }),
                                      "there is no beam; write beam.present = yes, or remove it",
                                      true};
 inline constexpr Condition kWithBeamJoint{
-    [](const Study& s) { return s.beam.interface == dem::BeamInterface::joint; },
+    asks<&Study::beam>([](auto& b) { return b.interface == dem::BeamInterface::joint; }),
     "there is no beam joint; write beam.interface = joint, or remove it", true};
-inline constexpr Condition kWithGravity{[](const Study& s) { return s.load.gravity > 0.0; },
-                                        "load.gravity is 0"};
+inline constexpr Condition kWithGravity{
+    asks<&Study::load>([](auto& l) { return l.gravity > 0.0; }), "load.gravity is 0"};
 
 /// The condition of keys of walls that are shaken.
-inline constexpr Condition kShaken{[](const Study& s) { return !s.shaking.records.empty(); },
-                                   "there is no shaking.records; write it, or remove this key",
-                                   true};
+inline constexpr Condition kShaken{
+    asks<&Study::shaking>([](auto& k) { return !k.records.empty(); }),
+    "there is no shaking.records; write it, or remove this key", true};
 
 inline constexpr std::array kNone = {named("none", 0)};
 inline constexpr std::array kEnvelopes = {named("coulomb", dem::Envelope::coulomb),

@@ -12,8 +12,6 @@
 
 namespace app {
 
-struct Study;
-
 enum class Kind {
     number,
     list,  ///< of numbers
@@ -28,6 +26,12 @@ struct Condition {
     std::string_view otherwise = "";       ///< why it plays none: "wall.unit_cracks is no"
     bool refused = false; ///< a value given although the condition does not hold is an error
 };
+
+/// A function of parts of a study, for tables: asks<&Study::load>([](auto& load) { ... }).
+template <auto... Parts, class Function> constexpr auto asks(Function)
+{
+    return +[](const Study& study) { return Function{}((study.*Parts)...); };
+}
 
 /// A word that stands for a value.
 struct Named {

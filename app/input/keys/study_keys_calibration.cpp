@@ -7,9 +7,9 @@
 namespace app {
 namespace {
 
-constexpr Condition kCalibrated{[](const Study& s) { return !s.calibration.inputs.empty(); },
-                                "there is no calibration.inputs; write it, or remove this key",
-                                true};
+constexpr Condition kCalibrated{
+    asks<&Study::calibration>([](auto& c) { return !c.inputs.empty(); }),
+    "there is no calibration.inputs; write it, or remove this key", true};
 
 // clang-format off
 constexpr std::array kCalibrationKeys = {

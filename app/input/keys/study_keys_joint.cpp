@@ -23,12 +23,13 @@ void derive_shear_stiffness(Parameters& p, double course_height)
     p.joint.shear_stiffness = kn;
 }
 constexpr Condition kJointsCrush{
-    [](const Study& s) { return s.parameters.joint.crushing.strength > 0.0; },
+    asks<&Study::parameters>([](auto& p) { return p.joint.crushing.strength > 0.0; }),
     "joint.compressive_strength is none"};
-constexpr Condition kDryJoints{[](const Study& s) { return !has_mortar(s); },
-                               "the joints have mortar and do not wear; remove it", true};
+constexpr Condition kDryJoints{
+    asks<&Study::parameters>([](auto& p) { return !has_mortar(p.joint); }),
+    "the joints have mortar and do not wear; remove it", true};
 constexpr Condition kJointsWear{
-    [](const Study& s) { return s.parameters.joint.wear_length > 0.0; },
+    asks<&Study::parameters>([](auto& p) { return p.joint.wear_length > 0.0; }),
     "joint.wear_length is none"};
 /// Whether the friction of any joint that may wear can fall; a draw may be above the residual
 /// angle where the mean is not.
@@ -48,7 +49,7 @@ bool friction_can_fall(const Study& s)
 constexpr Condition kFrictionFalls{
     friction_can_fall, "no joint has a friction above joint.residual_friction_angle"};
 constexpr Condition kBondInTension{
-    [](const Study& s) { return s.parameters.joint.tensile_strength > 0.0; },
+    asks<&Study::parameters>([](auto& p) { return p.joint.tensile_strength > 0.0; }),
     "joint.tensile_strength is 0"};
 constexpr Range kStiffness{'(', 0, 1e6, ']'}; // [GPa/m]
 
@@ -56,12 +57,14 @@ constexpr std::array kClosures = {named("linear", dem::Closure::linear),
                                   named("hyperbolic", dem::Closure::hyperbolic),
                                   named("exponential", dem::Closure::exponential)};
 constexpr Condition kDryOrLinear{
-    [](const Study& s) { return !closes(s.parameters.joint) || !has_mortar(s); },
+    asks<&Study::parameters>([](auto& p) { return !closes(p.joint) || !has_mortar(p.joint); }),
     "the joints have mortar and do not close further; write linear, or remove it", true};
-constexpr Condition kJointsClose{[](const Study& s) { return closes(s.parameters.joint); },
-                                 "joint.closure is linear"};
-constexpr Condition kFittedClosure{is_fitted_closure,
-                                   "joint.wall_modulus gives no law of closure"};
+constexpr Condition kJointsClose{
+    asks<&Study::parameters>([](auto& p) { return closes(p.joint); }),
+    "joint.closure is linear"};
+constexpr Condition kFittedClosure{
+    asks<&Study::parameters>([](auto& p) { return is_fitted_closure(p.joint); }),
+    "joint.wall_modulus gives no law of closure"};
 void derive_initial_stiffness(Parameters& p, double course_height)
 {
     p.joint.closing.initial_stiffness = closure_fit(p, course_height).initial_stiffness;
@@ -76,7 +79,9 @@ void derive_largest_stiffness(Parameters& p, double)
     p.joint.closing.stiffest =
         std::min(kTimes * p.joint.closing.initial_stiffness, 1e9 * kStiffness.high);
 }
-constexpr Condition kWithMortar{has_mortar, "joints have no mortar"};
+constexpr Condition kWithMortar{
+    asks<&Study::parameters>([](auto& p) { return has_mortar(p.joint); }),
+    "joints have no mortar"};
 
 // clang-format off
 constexpr std::array kJointKeys = {

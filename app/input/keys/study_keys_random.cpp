@@ -61,9 +61,9 @@ constexpr std::array kDriftLaws = {
     named("lognormal", fragility::Law::lognormal), named("normal", fragility::Law::normal),
     named("weibull", fragility::Law::weibull), named("gamma", fragility::Law::gamma)};
 
-constexpr Condition kToAndFro{[](const Study& s) { return push_way(s).direction == 0; },
-                              "the push goes one way"};
-bool any_random(const Study& s) { return !s.random.empty(); }
+constexpr Condition kToAndFro{
+    asks<&Study::load>([](auto& l) { return push_way(l).direction == 0; }),
+    "the push goes one way"};
 
 bool is_by_group(FieldKernel k)
 {
@@ -71,49 +71,56 @@ bool is_by_group(FieldKernel k)
            k == FieldKernel::all;
 }
 
-constexpr Condition kWithRandom{any_random, "no value of the study is a distribution"};
-constexpr Condition kWithSamples{is_random, "no value of the study is a distribution"};
+constexpr Condition kWithRandom{asks<&Study::random>([](auto& r) { return !r.empty(); }),
+                                "no value of the study is a distribution"};
+constexpr Condition kWithSamples{
+    asks<&Study::geometry, &Study::random>([](auto& g, auto& r) { return is_random(g, r); }),
+    "no value of the study is a distribution"};
 constexpr Condition kWithRandomAlone{
-    any_random, "no value of the study is a distribution; remove it", true};
+    kWithRandom.holds, "no value of the study is a distribution; remove it", true};
 constexpr Condition kWithLevels{
-    [](const Study& s) { return any_random(s) && s.load.vertical_stress.size() > 1; },
+    asks<&Study::random, &Study::load>(
+        [](auto& r, auto& l) { return !r.empty() && l.vertical_stress.size() > 1; }),
     "no value is a distribution, or there is only one stress level"};
 constexpr Condition kVariesInWalls{
-    [](const Study& s) {
-        return std::ranges::any_of(s.random, [](const RandomInput& r) {
+    asks<&Study::random>([](auto& random) {
+        return std::ranges::any_of(random, [](const RandomInput& r) {
             return r.varies == Varies::by_joint || r.varies == Varies::by_crack;
         });
-    },
+    }),
     "no distribution belongs to a joint or a crack"};
 constexpr Condition kWithFields{
-    [](const Study& s) { return s.uq.spatial == Spatial::correlated; },
+    asks<&Study::uq>([](auto& u) { return u.spatial == Spatial::correlated; }),
     "uq.spatial is not correlated"};
 constexpr Condition kWithMatern{
-    [](const Study& s) { return s.uq.kernel == FieldKernel::matern; },
+    asks<&Study::uq>([](auto& u) { return u.kernel == FieldKernel::matern; }),
     "uq.kernel is not matern"};
-constexpr Condition kWithGroups{[](const Study& s) { return is_by_group(s.uq.kernel); },
+constexpr Condition kWithGroups{asks<&Study::uq>([](auto& u) { return is_by_group(u.kernel); }),
                                 "uq.kernel is not same_course, same_unit or all"};
 constexpr Condition kWithStop{
-    [](const Study& s) { return is_random(s) && s.uq.stop != kNoStop; },
+    asks<&Study::geometry, &Study::random, &Study::uq>(
+        [](auto& g, auto& r, auto& u) { return is_random(g, r) && u.stop != kNoStop; }),
     "uq.stop is none, or the study has one wall per stress level"};
-constexpr Condition kMultiFidelity{
-    [](const Study& s) { return s.reliability.method == ReliabilityMethod::multi_fidelity; },
-    "reliability.method is not multi_fidelity"};
+constexpr Condition kMultiFidelity{asks<&Study::reliability>([](auto& r) {
+                                       return r.method == ReliabilityMethod::multi_fidelity;
+                                   }),
+                                   "reliability.method is not multi_fidelity"};
 constexpr Condition kActive{
-    [](const Study& s) { return s.reliability.method == ReliabilityMethod::active; },
+    asks<&Study::reliability>([](auto& r) { return r.method == ReliabilityMethod::active; }),
     "reliability.method is not active; only active learning finds a quantile: write active, or "
     "remove it",
     true};
 constexpr Condition kSampled{
-    [](const Study& s) {
-        const ReliabilityMethod m = s.reliability.method;
+    asks<&Study::reliability>([](auto& r) {
+        const ReliabilityMethod m = r.method;
         return m == ReliabilityMethod::monte_carlo || m == ReliabilityMethod::importance ||
                m == ReliabilityMethod::subset || m == ReliabilityMethod::active;
-    },
+    }),
     "reliability.method is not monte_carlo, importance, subset or active"};
-constexpr Condition kUserStates{
-    [](const Study& s) { return s.fragility.limit_states.find("user") != std::string::npos; },
-    "fragility.limit_states does not name user"};
+constexpr Condition kUserStates{asks<&Study::fragility>([](auto& f) {
+                                    return f.limit_states.find("user") != std::string::npos;
+                                }),
+                                "fragility.limit_states does not name user"};
 constexpr Condition kOwnCodes{
     [](const Study& s) {
         return std::ranges::any_of(reading_rules(s).sets, [&](const fragility::Code& set) {

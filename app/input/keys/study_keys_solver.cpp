@@ -37,11 +37,11 @@ constexpr std::array kModes = {named("all", 0), named("rigid", 3)};
 /// Top of the beam, or the centre of gravity of what body forces push.
 void derive_load_height(Study& s)
 {
-    const double wall = wall_height(s);
+    const double wall = wall_height(s.wall, s.geometry);
     const double beam = s.beam.present ? s.beam.height : 0.0;
     s.load.height = wall + beam;
     if (s.load.pattern == dem::LoadPattern::beam) return;
-    if (!is_full_rectangle(s)) {
+    if (!is_full_rectangle(s.wall, s.geometry)) {
         s.load.height =
             dem::gravity_height(whole_units(s), s.parameters.stone, s.beam.material);
         return;
@@ -62,37 +62,40 @@ void derive_block_modes(Study& s)
 }
 
 constexpr Condition kAlone{
-    [](const Study& s) { return s.load.targets.empty() && s.load.amplitudes.empty(); },
+    asks<&Study::load>([](auto& l) { return l.targets.empty() && l.amplitudes.empty(); }),
     "load.targets or load.amplitudes is given"};
-constexpr Condition kWithAmplitudes{[](const Study& s) { return !s.load.amplitudes.empty(); },
-                                    "no load.amplitudes are given"};
-constexpr Condition kWithProtocol{
-    [](const Study& s) { return kAlone.holds(s) && s.load.protocol != dem::Protocol::none; },
-    "no load.protocol is followed"};
-constexpr Condition kWithWeight{[](const Study& s) {
-                                    return s.parameters.stone.density > 0.0 ||
-                                           s.beam.material.density > 0.0;
-                                },
+constexpr Condition kWithAmplitudes{
+    asks<&Study::load>([](auto& l) { return !l.amplitudes.empty(); }),
+    "no load.amplitudes are given"};
+constexpr Condition kWithProtocol{asks<&Study::load>([](auto& l) {
+                                      return l.targets.empty() && l.amplitudes.empty() &&
+                                             l.protocol != dem::Protocol::none;
+                                  }),
+                                  "no load.protocol is followed"};
+constexpr Condition kWithWeight{asks<&Study::parameters, &Study::beam>([](auto& p, auto& b) {
+                                    return p.stone.density > 0.0 || b.material.density > 0.0;
+                                }),
                                 "stone and beam have no weight"};
-constexpr Condition kWithSeries{[](const Study& s) { return s.output.paraview; },
+constexpr Condition kWithSeries{asks<&Study::output>([](auto& o) { return o.paraview; }),
                                 "output.paraview is no"};
-constexpr Condition kByFidelity{[](const Study& s) {
-                                    return !is_given(s.source, "solver.contact_points") ||
-                                           !is_given(s.source, "solver.block_modes");
-                                },
+constexpr Condition kByFidelity{asks<&Study::source>([](auto& f) {
+                                    return !is_given(f, "solver.contact_points") ||
+                                           !is_given(f, "solver.block_modes");
+                                }),
                                 "solver.contact_points and solver.block_modes are given"};
-constexpr Condition kSlowingDrive{[](const Study& s) { return s.solver.unbalance_limit > 0.0; },
-                                  "solver.unbalance_limit is 0"};
+constexpr Condition kSlowingDrive{
+    asks<&Study::solver>([](auto& o) { return o.unbalance_limit > 0.0; }),
+    "solver.unbalance_limit is 0"};
 
 constexpr Range kModeCount{'[', 3, 1000, ']'}; // [-]
 
 constexpr std::array kLoadMasses = {named("none", dem::LoadMass::none),
                                     named("floor", dem::LoadMass::floor)};
 constexpr Condition kWithShakenLoad{
-    [](const Study& s) {
-        return !s.shaking.records.empty() &&
-               std::ranges::any_of(s.load.vertical_stress, [](double x) { return x > 0.0; });
-    },
+    asks<&Study::shaking, &Study::load>([](auto& k, auto& l) {
+        return !k.records.empty() &&
+               std::ranges::any_of(l.vertical_stress, [](double x) { return x > 0.0; });
+    }),
     "no ground moves, or there is no vertical load"};
 
 constexpr std::array kDirections = {named("right", Direction::right),
@@ -101,7 +104,7 @@ constexpr std::array kDirections = {named("right", Direction::right),
 /// Right and both are left out of configurations and of the identity: they move no wall of a
 /// study.
 constexpr Condition kToTheLeft{
-    [](const Study& s) { return s.load.direction == Direction::left; }, ""};
+    asks<&Study::load>([](auto& l) { return l.direction == Direction::left; }), ""};
 
 // clang-format off
 constexpr std::array kSolverKeys = {

@@ -19,46 +19,45 @@ constexpr std::array kSnapBacks = {named("breaks", dem::SnapBack::breaks),
                                    named("weakens", dem::SnapBack::weakens)};
 constexpr std::array kUnloadings = {named("secant", dem::Unloading::secant),
                                     named("elastic", dem::Unloading::elastic)};
-constexpr Condition kWithCracks{
-    has_cracks,
-    "no unit can crack: unit.cracks is none, or a drawn wall has no wall.unit_length"};
 using Pattern = dem::CrackPattern;
+/// A test of the patterns of a study.
+template <class Holds> constexpr auto any_crack(Holds)
+{
+    return asks<&Study::geometry, &Study::cracks, &Study::source>(
+        [](auto&... parts) { return any_pattern(parts..., Holds{}); });
+}
+constexpr Condition kWithCracks{
+    any_crack([](const Pattern& p) { return p.kind != Pattern::Kind::none; }),
+    "no unit can crack: unit.cracks is none, or a drawn wall has no wall.unit_length"};
 constexpr Condition kWithCrackRegion{
-    [](const Study& s) { return !s.cracks.where.empty(); },
+    asks<&Study::cracks>([](auto& c) { return !c.where.empty(); }),
     "unit.cracks holds everywhere; write unit.cracks_where, or remove it", true};
 constexpr Condition kWithCrackPattern{
-    [](const Study& s) { return !s.cracks.pattern.empty(); },
+    asks<&Study::cracks>([](auto& c) { return !c.pattern.empty(); }),
     "unit.cracks is not given; write unit.cracks, or remove this key", true};
-constexpr Condition kWithVoronoi{[](const Study& s) {
-                                     return any_pattern(s, [](const Pattern& p) {
-                                         return p.kind == Pattern::Kind::voronoi;
-                                     });
-                                 },
-                                 "no pattern of cracks is voronoi"};
+constexpr Condition kWithVoronoi{
+    any_crack([](const Pattern& p) { return p.kind == Pattern::Kind::voronoi; }),
+    "no pattern of cracks is voronoi"};
 constexpr Condition kSharedStiffness{
-    [](const Study& s) {
-        return any_pattern(s, [](const Pattern& p) { return dem::shares_stiffness(p); });
-    },
+    any_crack([](const Pattern& p) { return dem::shares_stiffness(p); }),
     "cracks are parallel vertical lines, whose stiffness follows from unit.stiffness_ratio"};
 constexpr Condition kPaperStiffness{
-    [](const Study& s) {
-        return any_pattern(s, [](const Pattern& p) {
-            return p.kind != Pattern::Kind::none && !dem::shares_stiffness(p);
-        });
-    },
+    any_crack([](const Pattern& p) {
+        return p.kind != Pattern::Kind::none && !dem::shares_stiffness(p);
+    }),
     "all cracks share the stiffness of their units, by unit.crack_rigidity"};
 /// Bonded joints follow the law of cracks too.
 constexpr Condition kWithCrackLaw{
-    [](const Study& s) { return kWithCracks.holds(s) || has_mortar(s); },
+    [](const Study& s) { return kWithCracks.holds(s) || has_mortar(s.parameters.joint); },
     "no unit can crack and joints have no mortar"};
 constexpr Condition kTensileCracks{
-    [](const Study& s) { return s.parameters.unit.tensile_strength > 0.0; },
+    asks<&Study::parameters>([](auto& p) { return p.unit.tensile_strength > 0.0; }),
     "unit.tensile_strength is 0"};
 constexpr Condition kCoulombCracks{
-    [](const Study& s) { return s.parameters.unit.envelope == dem::Envelope::coulomb; },
+    asks<&Study::parameters>([](auto& p) { return p.unit.envelope == dem::Envelope::coulomb; }),
     "unit.envelope is hyperbolic"};
 constexpr Condition kUnitsCrush{
-    [](const Study& s) { return s.parameters.unit.crushing.strength > 0.0; },
+    asks<&Study::parameters>([](auto& p) { return p.unit.crushing.strength > 0.0; }),
     "unit.compressive_strength is none"};
 
 // clang-format off

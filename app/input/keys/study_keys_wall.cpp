@@ -30,6 +30,7 @@ std::vector<double> bond_value(const Study& s)
     if (s.wall.bond == dem::Bond::shifted) return {s.wall.bond_offset};
     return {number_of(s.wall.bond)};
 }
+bool is_built(const GeometryInput& g) { return g.file.empty() && g.outlines.empty(); }
 void set_bond(Study& s, const std::vector<double>& values)
 {
     const double value = values.front();
@@ -43,51 +44,57 @@ constexpr std::array kFirstCourses = {named("whole", dem::FirstCourse::whole),
 constexpr std::array kBases = {named("fixed", dem::Base::fixed),
                                named("joint", dem::Base::joint)};
 constexpr std::array kToes = {named("held", dem::Toe::held), named("free", dem::Toe::free)};
-bool rigid_blocks(const Study& s) { return s.discretisation.block_modes == 3; }
-constexpr Condition kOfDrawing{[](const Study& s) { return !is_picture(s.geometry.file); },
-                               "wall.geometry is a picture"};
+constexpr Condition kOfDrawing{
+    asks<&Study::geometry>([](auto& g) { return !is_picture(g.file); }),
+    "wall.geometry is a picture"};
 constexpr Condition kOfPolylines{
-    [](const Study& s) { return has_polylines(s.geometry.file); },
+    asks<&Study::geometry>([](auto& g) { return has_polylines(g.file); }),
     "wall.geometry is no DXF or SVG: only their polylines can be open"};
-constexpr Condition kOfPicture{[](const Study& s) { return is_picture(s.geometry.file); },
-                               "wall.geometry is no picture"};
-constexpr Condition kWhereDrawn{
-    [](const Study& s) { return !s.geometry.file.empty() || !s.geometry.outlines.empty(); },
-    "the wall is not drawn; write wall.geometry, or remove it", true};
-constexpr Condition kBuilt{
-    [](const Study& s) { return s.geometry.file.empty() && s.geometry.outlines.empty(); },
-    "the wall is drawn, not laid in courses; remove it", true};
-constexpr Condition kInCourses{
-    in_courses, "the wall is drawn or of rubble, not laid in courses; remove it", true};
+constexpr Condition kOfPicture{
+    asks<&Study::geometry>([](auto& g) { return is_picture(g.file); }),
+    "wall.geometry is no picture"};
+constexpr Condition kWhereDrawn{asks<&Study::geometry>([](auto& g) { return !is_built(g); }),
+                                "the wall is not drawn; write wall.geometry, or remove it",
+                                true};
+constexpr Condition kBuilt{asks<&Study::geometry>([](auto& g) { return is_built(g); }),
+                           "the wall is drawn, not laid in courses; remove it", true};
+constexpr Condition kInCourses{asks<&Study::geometry>([](auto& g) { return in_courses(g); }),
+                               "the wall is drawn or of rubble, not laid in courses; remove it",
+                               true};
 constexpr Condition kEqualCourses{
-    [](const Study& s) { return kBuilt.holds(s) && s.wall.course_heights.empty(); },
+    asks<&Study::geometry, &Study::wall>(
+        [](auto& g, auto& w) { return is_built(g) && w.course_heights.empty(); }),
     "the wall is drawn, or wall.course_heights has its courses; remove it", true};
 /// Condition of keys that are of use to a drawing, but not needed: h of Eq. 2, and the length
 /// of whole units.
 constexpr Condition kEqualCoursesOrGiven{
-    [](const Study& s) {
-        return s.wall.course_heights.empty() &&
-               (kBuilt.holds(s) || find_entry(s.source, "wall.course_height") != nullptr);
-    },
+    asks<&Study::geometry, &Study::wall, &Study::source>([](auto& g, auto& w, auto& source) {
+        return w.course_heights.empty() &&
+               (is_built(g) || find_entry(source, "wall.course_height") != nullptr);
+    }),
     "wall.course_heights has the heights of the courses; remove it", true};
-constexpr Condition kBuiltOrGiven{[](const Study& s) {
-    return kBuilt.holds(s) || find_entry(s.source, "wall.unit_length") != nullptr;
-}};
+constexpr Condition kBuiltOrGiven{
+    asks<&Study::geometry, &Study::source>([](auto& g, auto& source) {
+        return is_built(g) || find_entry(source, "wall.unit_length") != nullptr;
+    })};
 constexpr Condition kWithWholeUnits{
-    [](const Study& s) { return kBuiltOrGiven.holds(s) && !s.geometry.rubble; },
+    asks<&Study::geometry, &Study::source>([](auto& g, auto& source) {
+        return !g.rubble && (is_built(g) || find_entry(source, "wall.unit_length") != nullptr);
+    }),
     "no unit is known to be whole: the wall is of rubble, or drawn without wall.unit_length"};
 constexpr Condition kWithHeaders{
-    [](const Study& s) { return kInCourses.holds(s) && s.wall.bond != dem::Bond::shifted; },
+    asks<&Study::geometry, &Study::wall>(
+        [](auto& g, auto& w) { return in_courses(g) && w.bond != dem::Bond::shifted; }),
     "there are no headers; write wall.bond = english, flemish or header, or remove it", true};
 constexpr Condition kWithShiftedCourses{
-    [](const Study& s) { return kInCourses.holds(s) && s.wall.bond == dem::Bond::shifted; },
+    asks<&Study::geometry, &Study::wall>(
+        [](auto& g, auto& w) { return in_courses(g) && w.bond == dem::Bond::shifted; }),
     "the bond is not running, and only its units get random lengths; write wall.bond = "
     "running, or remove it",
     true};
 constexpr Condition kRandomLayout{
-    [](const Study& s) {
-        return kBuilt.holds(s) && (s.geometry.rubble || s.wall.length_cov > 0.0);
-    },
+    asks<&Study::geometry, &Study::wall>(
+        [](auto& g, auto& w) { return is_built(g) && (g.rubble || w.length_cov > 0.0); }),
     "no layout is drawn at random; write wall.bond = rubble, or wall.unit_length_cov, or "
     "remove it",
     true};
@@ -97,35 +104,37 @@ constexpr auto kUnitNames = [] {
                            [](const LengthUnit& u) { return named(u.name, u.metres); });
     return names;
 }();
-constexpr Condition kWithOpenings{[](const Study& s) { return !s.geometry.openings.empty(); },
-                                  "the wall has no openings; write wall.openings, or remove it",
-                                  true};
-constexpr Condition kWithLintels{[](const Study& s) { return s.wall.lintel_bearing > 0.0; },
-                                 "lintel.bearing is 0"};
-constexpr Condition kSeveralCourses{[](const Study& s) {
-                                        return s.wall.courses > 1 || s.geometry.rubble ||
-                                               s.wall.bond != dem::Bond::shifted ||
-                                               s.wall.first_course == dem::FirstCourse::shifted;
-                                    },
+constexpr Condition kWithOpenings{
+    asks<&Study::geometry>([](auto& g) { return !g.openings.empty(); }),
+    "the wall has no openings; write wall.openings, or remove it", true};
+constexpr Condition kWithLintels{
+    asks<&Study::wall>([](auto& w) { return w.lintel_bearing > 0.0; }), "lintel.bearing is 0"};
+constexpr Condition kSeveralCourses{asks<&Study::wall, &Study::geometry>([](auto& w, auto& g) {
+                                        return w.courses > 1 || g.rubble ||
+                                               w.bond != dem::Bond::shifted ||
+                                               w.first_course == dem::FirstCourse::shifted;
+                                    }),
                                     "the wall has one course, which is not shifted"};
-constexpr Condition kShiftedCourses{[](const Study& s) {
-                                        return s.wall.bond != dem::Bond::shifted ||
-                                               s.wall.bond_offset > 0.0;
-                                    },
+constexpr Condition kShiftedCourses{asks<&Study::wall>([](auto& w) {
+                                        return w.bond != dem::Bond::shifted ||
+                                               w.bond_offset > 0.0;
+                                    }),
                                     "wall.bond is stack"};
 constexpr Condition kMovingFirstCourse{
-    [](const Study& s) { return s.wall.base == dem::Base::joint || !rigid_blocks(s); },
+    asks<&Study::wall, &Study::discretisation>(
+        [](auto& w, auto& d) { return w.base == dem::Base::joint || d.block_modes != 3; }),
     "the first course is rigid and clamped"};
 constexpr auto kMaterials = [] {
     std::array<Named, kMaterialNames.size()> names;
     for (std::size_t i = 0; i < names.size(); ++i) names[i] = named(kMaterialNames[i], i);
     return names;
 }();
-constexpr Condition kWithMaterial{[](const Study& s) { return s.geometry.material != 0; },
-                                  "wall.material is none"};
-constexpr Condition kGivesValues{
-    [](const Study& s) { return std::ranges::any_of(s.source.entries, &Entry::preset); },
-    "the study writes all values of the material itself"};
+constexpr Condition kWithMaterial{
+    asks<&Study::geometry>([](auto& g) { return g.material != 0; }), "wall.material is none"};
+constexpr Condition kGivesValues{asks<&Study::source>([](auto& f) {
+                                     return std::ranges::any_of(f.entries, &Entry::preset);
+                                 }),
+                                 "the study writes all values of the material itself"};
 // The ends of the ranges are beyond any wall: they catch a wrong power of ten.
 constexpr Range kLength{'[', 0.001, 100, ']'}; // [m]
 

@@ -14,9 +14,9 @@ namespace {
 
 bool is_written_out(std::string_view value) { return value.starts_with('{'); }
 
-std::string text_of_file(const Study& study, const std::string& name)
+std::string text_of_file(const StudyFile& source, const std::string& name)
 {
-    const std::filesystem::path path = path_from(study.source, "fragility.codes", name);
+    const std::filesystem::path path = path_from(source, "fragility.codes", name);
     constexpr std::size_t kMost = 1 << 20; // bytes
     return read_bytes(path.string(), kMost, "is larger than 1 MiB, and no table of codes",
                       "fragility.codes names a file like fragility/codes/codes.json");
@@ -117,7 +117,7 @@ void read_own_codes(Study& study)
     std::string& codes = study.fragility.codes;
     if (codes.empty()) return;
     const bool inside = is_written_out(codes);
-    const std::string text = inside ? codes : text_of_file(study, codes);
+    const std::string text = inside ? codes : text_of_file(study.source, codes);
     try {
         study.fragility.own_codes = fragility::read_code_table(text);
     } catch (const fragility::CodeTableError& bad) {

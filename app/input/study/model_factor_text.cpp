@@ -47,13 +47,13 @@ std::string model_factor_text(const fragility::ModelFactor& factor)
            number(fragility::model_dispersion(factor), 3) + ")";
 }
 
-void check_model_factors(const Study& study)
+void check_model_factors(const FragilityInput& fragility, const StudyFile& source)
 {
     const auto check = [&](const char* key, const std::string& text) {
-        read_at(study.source, key, [&] { static_cast<void>(parse_model_factor(text)); });
+        read_at(source, key, [&] { static_cast<void>(parse_model_factor(text)); });
     };
-    check("fragility.model_factor", study.fragility.model_factor);
-    check("fragility.model_factor_force", study.fragility.model_factor_force);
+    check("fragility.model_factor", fragility.model_factor);
+    check("fragility.model_factor_force", fragility.model_factor_force);
 }
 
 } // namespace app

@@ -9,7 +9,8 @@
 
 namespace app {
 
-struct Study;
+struct FragilityInput;
+struct StudyFile;
 
 /// A factor that a study gives: none, that of the tests, or its own.
 struct FactorChoice {
@@ -27,6 +28,6 @@ struct FactorChoice {
 [[nodiscard]] std::string model_factor_text(const fragility::ModelFactor& factor);
 
 /// @throws ConfigError at fragility.model_factor or fragility.model_factor_force
-void check_model_factors(const Study& study);
+void check_model_factors(const FragilityInput& fragility, const StudyFile& source);
 
 } // namespace app

@@ -4,45 +4,10 @@
 #include "fragility/curve/cyclic_curve.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 namespace app {
-
-StressLevel stress_level(const Study& study, int level)
-{
-    return {level, study.load.vertical_stress.at(static_cast<std::size_t>(level))};
-}
-
-dem::Loads loads(const Study& study, int level)
-{
-    return {study.load.vertical_stress.at(level),
-            study.load.height,
-            study.load.gravity,
-            study.load.top,
-            study.load.link_length,
-            study.load.pattern};
-}
-
 namespace {
-
-/// Displacements of a push to the right.
-std::vector<double> right_targets(const LoadInput& load)
-{
-    if (!load.targets.empty()) return load.targets;
-    std::vector<dem::CyclicStage> stages = dem::stages_of(load.protocol, load.max_displacement);
-    if (!load.amplitudes.empty()) stages.clear();
-    for (const double a : load.amplitudes) stages.push_back({a, load.repeats});
-    return stages.empty() ? std::vector{load.max_displacement} : dem::cyclic_targets(stages);
-}
-
-std::vector<double> targets_of(const LoadInput& load)
-{
-    std::vector<double> targets = right_targets(load);
-    if (load.direction == Direction::left)
-        for (double& t : targets) t = -t;
-    return targets;
-}
 
 /// True once the forces of a whole cycle are below a share of the largest so far, on both
 /// sides.
@@ -77,11 +42,11 @@ dem::StopRule stop_both_below(double share)
 dem::PushPlan push_plan(const Study& study)
 {
     dem::PushPlan plan;
-    plan.targets = targets_of(study.load);
+    plan.targets = push_targets(study.load);
     plan.record_every = study.output.record_every;
     plan.snapshot_every = study.output.paraview ? study.output.snapshot_every : 0.0;
     const bool finite = study.solver.kinematics == dem::Kinematics::finite;
-    const int direction = push_way(study).direction;
+    const int direction = push_way(study.load).direction;
     const bool to_and_fro = direction == 0;
     if (finite && !to_and_fro) plan.drop = study.fragility.ultimate_share;
     if (study.load.stop_below > 0.0)
@@ -92,28 +57,11 @@ dem::PushPlan push_plan(const Study& study)
     return plan;
 }
 
-PushWay push_way(const Study& study)
-{
-    PushWay way;
-    bool right = false, left = false;
-    double from = 0.0, before = 0.0;
-    for (const double to : targets_of(study.load)) {
-        (to > from ? right : left) = true;
-        way.turns += before * (to - from) < 0.0 ? 1 : 0;
-        before = to - from;
-        way.farthest = std::max(way.farthest, std::abs(to));
-        way.length += std::abs(to - from);
-        from = to;
-    }
-    way.direction = right && left ? 0 : left ? -1 : 1;
-    return way;
-}
-
 Study turned_round(Study study)
 {
     Direction& d = study.load.direction;
     d = d == Direction::left ? Direction::right : Direction::left;
-    study.wall.toe_at_left = push_way(study).direction < 0;
+    study.wall.toe_at_left = push_way(study.load).direction < 0;
     return study;
 }
 

@@ -16,11 +16,11 @@ namespace app {
 namespace {
 
 /// The shortest unit or header [m].
-double shortest_unit(const Study& study)
+double shortest_unit(const dem::WallGeometry& wall, const GeometryInput& geometry,
+                     const StudyFile& source)
 {
-    const dem::WallGeometry& wall = study.wall;
-    if (study.geometry.rubble || wall.bond == dem::Bond::shifted) return wall.unit_length;
-    const bool given = find_entry(study.source, "wall.header_length") != nullptr;
+    if (geometry.rubble || wall.bond == dem::Bond::shifted) return wall.unit_length;
+    const bool given = find_entry(source, "wall.header_length") != nullptr;
     return std::min(wall.unit_length, given ? wall.header_length : 0.5 * wall.unit_length);
 }
 
@@ -34,22 +34,25 @@ void read_course_heights(Study& study)
 }
 
 /// Before anything is laid.
-void check_number(const Study& study)
+void check_number(const dem::WallGeometry& wall, const GeometryInput& geometry,
+                  const StudyFile& source)
 {
     constexpr double kMostUnits = 1e5;
-    if (unit_count(study) > kMostUnits)
-        throw error_at(study.source,
-                       shortest_unit(study) < study.wall.unit_length ? "wall.header_length"
-                                                                     : "wall.unit_length",
+    if (unit_count(wall, geometry, source) > kMostUnits)
+        throw error_at(source,
+                       shortest_unit(wall, geometry, source) < wall.unit_length
+                           ? "wall.header_length"
+                           : "wall.unit_length",
                        "makes a wall of more than 100000 units; write larger ones");
 }
 
 /// Before any stone grows.
-void check_stones(const Study& study)
+void check_stones(const dem::WallGeometry& wall, const GeometryInput& geometry,
+                  const StudyFile& source)
 {
     constexpr double kMostStones = 10000; // half a second to lay; pushing them takes days
-    if (unit_count(study) > kMostStones)
-        throw error_at(study.source, "wall.unit_length",
+    if (unit_count(wall, geometry, source) > kMostStones)
+        throw error_at(source, "wall.unit_length",
                        "makes a wall of more than 10000 stones; write larger ones, or draw "
                        "the wall");
 }
@@ -76,16 +79,17 @@ void read_openings(Study& study)
 
 } // namespace
 
-double unit_count(const Study& study)
+double unit_count(const dem::WallGeometry& wall, const GeometryInput& geometry,
+                  const StudyFile& source)
 {
-    return study.wall.courses * (study.wall.length / shortest_unit(study));
+    return wall.courses * (wall.length / shortest_unit(wall, geometry, source));
 }
 
 void read_built_wall(Study& study)
 {
     if (!study.geometry.rubble) read_course_heights(study);
-    check_number(study);
-    if (study.geometry.rubble) check_stones(study);
+    check_number(study.wall, study.geometry, study.source);
+    if (study.geometry.rubble) check_stones(study.wall, study.geometry, study.source);
     read_unit_cracks(study);
     read_openings(study);
 }

@@ -2,12 +2,17 @@
 /// The wall that the keys of a study describe, where no outlines are drawn: courses with
 /// openings, or rubble.
 
+#include "dem/scene/wall.hpp"
+
 namespace app {
 
+struct GeometryInput;
 struct Study;
+struct StudyFile;
 
 /// Number of units of a wall in courses, without openings, or of mean stones of rubble.
-[[nodiscard]] double unit_count(const Study& study);
+[[nodiscard]] double unit_count(const dem::WallGeometry& wall, const GeometryInput& geometry,
+                                const StudyFile& source);
 
 /// Reads the heights of courses, the patterns of cracks and the openings.
 /// @throws ConfigError

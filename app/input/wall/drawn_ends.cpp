@@ -14,10 +14,10 @@
 namespace app {
 namespace {
 
-std::vector<dem::Block> blocks_of(const Study& study)
+std::vector<dem::Block> blocks_of(const GeometryInput& geometry)
 {
     std::vector<dem::Block> blocks;
-    for (const dem::DrawnUnit& unit : study.geometry.units)
+    for (const dem::DrawnUnit& unit : geometry.units)
         blocks.push_back(dem::block_of(unit.outline));
     return blocks;
 }
@@ -83,10 +83,10 @@ void note_floor(const std::vector<dem::Block>& blocks, std::vector<std::string>&
 
 } // namespace
 
-void require_level_top(const Study& study)
+void require_level_top(const GeometryInput& geometry, const dem::Beam& beam)
 {
-    if (!study.beam.present) return;
-    const std::vector<dem::Block> blocks = blocks_of(study);
+    if (!beam.present) return;
+    const std::vector<dem::Block> blocks = blocks_of(geometry);
     if (level_length(blocks) > 0.0) return;
     throw BadValue("no block has a level side at the highest point of the wall, " +
                    metres(top_of(blocks)) +
@@ -95,11 +95,11 @@ void require_level_top(const Study& study)
                    "and load.vertical_stress = 0 MPa");
 }
 
-std::vector<std::string> notes_of_ends(const Study& study)
+std::vector<std::string> notes_of_ends(const GeometryInput& geometry, const dem::Beam& beam)
 {
-    const std::vector<dem::Block> blocks = blocks_of(study);
+    const std::vector<dem::Block> blocks = blocks_of(geometry);
     std::vector<std::string> notes;
-    if (study.beam.present) note_top(blocks, notes);
+    if (beam.present) note_top(blocks, notes);
     note_floor(blocks, notes);
     return notes;
 }

@@ -1,19 +1,22 @@
 #pragma once
 /// Sides that a drawn wall stands on, and sides that its beam lies on.
 
+#include "dem/scene/wall.hpp"
+
 #include <string>
 #include <vector>
 
 namespace app {
 
-struct Study;
+struct GeometryInput;
 
 /// @throws BadValue if the study has a beam and no block has a level side at the top for it to
 /// lie on
-void require_level_top(const Study& study);
+void require_level_top(const GeometryInput& geometry, const dem::Beam& beam);
 
 /// Notes where the beam does not lie on the whole wall, and where not all of the lowest blocks
 /// stand on the floor.
-[[nodiscard]] std::vector<std::string> notes_of_ends(const Study& study);
+[[nodiscard]] std::vector<std::string> notes_of_ends(const GeometryInput& geometry,
+                                                     const dem::Beam& beam);
 
 } // namespace app

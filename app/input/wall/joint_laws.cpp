@@ -15,108 +15,110 @@
 namespace app {
 namespace {
 
-[[noreturn]] void refuse_law(const Study& study, std::string_view key, const std::string& why)
+[[noreturn]] void refuse_law(const StudyFile& source, std::string_view key,
+                             const std::string& why)
 {
-    throw error_at(study.source, key, why);
+    throw error_at(source, key, why);
 }
 
-std::string level_text(const Study& study, std::size_t level)
+std::string level_text(const LoadInput& load, std::size_t level)
 {
     return "stress level " + std::to_string(level + 1) + " (" +
-           quantity_text(study.load.vertical_stress[level], "MPa") + ")";
+           quantity_text(load.vertical_stress[level], "MPa") + ")";
 }
 
 /// A value may be the same under all stress levels.
-void check_count(const Study& study, std::string_view key, std::size_t values)
+void check_count(const LoadInput& load, const StudyFile& source, std::string_view key,
+                 std::size_t values)
 {
     if (values < 2) return;
-    const std::size_t levels = study.load.vertical_stress.size();
+    const std::size_t levels = load.vertical_stress.size();
     if (values < levels) {
-        refuse_law(study, key,
-                   level_text(study, values) + " has no value; write " +
-                       std::to_string(levels) +
+        refuse_law(source, key,
+                   level_text(load, values) + " has no value; write " + std::to_string(levels) +
                        " values, one for each of load.vertical_stress");
     }
     if (values > levels) {
-        refuse_law(study, key,
+        refuse_law(source, key,
                    "has " + std::to_string(values) + " values, load.vertical_stress " +
                        std::to_string(levels) + "; write one for each stress level");
     }
 }
 
-void check_levels_differ(const Study& study)
+void check_levels_differ(const LoadInput& load, const StudyFile& source)
 {
-    std::vector<double> levels = study.load.vertical_stress;
+    std::vector<double> levels = load.vertical_stress;
     std::ranges::sort(levels);
     const auto twice = std::ranges::adjacent_find(levels);
     if (twice != levels.end()) {
-        refuse_law(study, "load.vertical_stress",
+        refuse_law(source, "load.vertical_stress",
                    quantity_text(*twice, "MPa") + " is given twice; keep one of them");
     }
 }
 
 constexpr double kSoftest = 1.0, kStiffest = 1e15; // [Pa/m]; 1e15: as for normal_stiffness
 
-void check_not_too_soft(const Study& study, std::string_view key, double kn)
+void check_not_too_soft(const JointInput& joint, const StudyFile& source, std::string_view key,
+                        double kn)
 {
-    if (kn * study.parameters.joint.stiffness_factor < kSoftest)
-        refuse_law(study, key,
+    if (kn * joint.stiffness_factor < kSoftest)
+        refuse_law(source, key,
                    "times joint.stiffness_factor is below 1 Pa/m; write a larger value");
 }
 
-void check_wall_modulus(const Study& study, double modulus)
+void check_wall_modulus(const dem::WallGeometry& wall, const dem::Elastic& stone,
+                        const StudyFile& source, double modulus)
 {
-    const double e = study.parameters.stone.young_modulus;
+    const double e = stone.young_modulus;
     if (modulus >= e) {
-        refuse_law(study, "joint.wall_modulus",
+        refuse_law(source, "joint.wall_modulus",
                    quantity_text(modulus, "MPa") + " is not below stone.young_modulus, " +
                        quantity_text(e, "GPa") +
                        "; a wall with joints is softer than its stone (Eq. 2)");
     }
-    const double kn = dem::joint_stiffness(study.wall.course_height, modulus, e);
+    const double kn = dem::joint_stiffness(wall.course_height, modulus, e);
     if (!(kn >= kSoftest && kn <= kStiffest)) {
-        refuse_law(study, "joint.wall_modulus",
+        refuse_law(source, "joint.wall_modulus",
                    quantity_text(modulus, "MPa") +
                        " gives a joint stiffness by Eq. 2 outside 1 Pa/m to 1e+06 GPa/m");
     }
 }
 
-void check_constant_stiffness(const Study& study)
+void check_constant_stiffness(const JointInput& joint, const LoadInput& load,
+                              const StudyFile& source)
 {
-    const JointInput& joint = study.parameters.joint;
     if (joint.wall_modulus.empty() && joint.normal_stiffness.empty()) {
-        refuse_law(study, "joint.wall_modulus",
+        refuse_law(source, "joint.wall_modulus",
                    "missing; write e.g. \"wall_modulus = 768 MPa\" or \"normal_stiffness = "
                    "8.08 GPa/m\" under [joint]");
     }
     if (!joint.wall_modulus.empty() && !joint.normal_stiffness.empty()) {
-        refuse_law(study, "joint.normal_stiffness",
+        refuse_law(source, "joint.normal_stiffness",
                    "is given although joint.wall_modulus determines it by Eq. 2; keep one "
                    "of them");
     }
-    check_levels_differ(study);
-    check_count(study, "joint.wall_modulus", joint.wall_modulus.size());
-    check_count(study, "joint.normal_stiffness", joint.normal_stiffness.size());
+    check_levels_differ(load, source);
+    check_count(load, source, "joint.wall_modulus", joint.wall_modulus.size());
+    check_count(load, source, "joint.normal_stiffness", joint.normal_stiffness.size());
 }
 
 constexpr std::string_view kLawInstead =
     "or joint.initial_stiffness and joint.maximum_closure in place of wall_modulus";
 
 /// Wall moduli tell how joints close, or the two numbers of the law do.
-void check_closure_given(const Study& study)
+void check_closure_given(const JointInput& joint, const StudyFile& source)
 {
-    const JointInput& joint = study.parameters.joint;
     if (!joint.normal_stiffness.empty())
-        refuse_law(study, "joint.normal_stiffness",
+        refuse_law(source, "joint.normal_stiffness",
                    "is that of joints whose joint.closure is linear; write "
                    "joint.initial_stiffness and joint.maximum_closure in its place");
     for (const char* key : {"joint.initial_stiffness", "joint.maximum_closure"}) {
-        if (!joint.wall_modulus.empty() && is_given(study.source, key))
-            refuse_law(study, key,
+        if (!joint.wall_modulus.empty() && is_given(source, key))
+            refuse_law(source, key,
                        "is given although joint.wall_modulus determines it; keep one of them");
-        if (joint.wall_modulus.empty() && !is_given(study.source, key))
+        if (joint.wall_modulus.empty() && !is_given(source, key))
             refuse_law(
-                study, key,
+                source, key,
                 "missing; write e.g. \"initial_stiffness = 4.87 GPa/m\" and "
                 "\"maximum_closure = 0.154 mm\" under [joint], or the wall_modulus of two "
                 "stresses or more");
@@ -124,32 +126,33 @@ void check_closure_given(const Study& study)
 }
 
 /// With the stresses of its wall moduli, before defaults are derived.
-Parameters with_modulus_stress(const Study& study)
+Parameters with_modulus_stress(const Parameters& parameters, const LoadInput& load,
+                               const StudyFile& source)
 {
-    Parameters p = study.parameters;
-    if (!is_given(study.source, "joint.wall_modulus_stress"))
-        p.joint.modulus_stress = study.load.vertical_stress;
+    Parameters p = parameters;
+    if (!is_given(source, "joint.wall_modulus_stress"))
+        p.joint.modulus_stress = load.vertical_stress;
     return p;
 }
 
-void check_modulus_stress(const Study& study, const JointInput& joint)
+void check_modulus_stress(const StudyFile& source, const JointInput& joint)
 {
     const std::vector<double>& stress = joint.modulus_stress;
     const std::string values = "has " + std::to_string(joint.wall_modulus.size()) + " values, ";
-    const bool given = is_given(study.source, "joint.wall_modulus_stress");
+    const bool given = is_given(source, "joint.wall_modulus_stress");
     if (joint.wall_modulus.size() < 2)
-        refuse_law(study, "joint.wall_modulus",
+        refuse_law(source, "joint.wall_modulus",
                    "one modulus does not tell how joints close; write those of two stresses or "
                    "more and joint.wall_modulus_stress, " +
                        std::string(kLawInstead));
     if (joint.wall_modulus.size() != stress.size())
-        refuse_law(study, "joint.wall_modulus",
+        refuse_law(source, "joint.wall_modulus",
                    values + (given ? "joint.wall_modulus_stress " : "load.vertical_stress ") +
                        std::to_string(stress.size()) +
                        (given ? "; write one for each stress"
                               : "; write joint.wall_modulus_stress, the stress of each"));
     if (std::ranges::all_of(stress, [&](double s) { return s == stress.front(); }))
-        refuse_law(study, "joint.wall_modulus_stress",
+        refuse_law(source, "joint.wall_modulus_stress",
                    "moduli under one stress do not tell how joints close; write two stresses "
                    "or more, " +
                        std::string(kLawInstead));
@@ -157,13 +160,14 @@ void check_modulus_stress(const Study& study, const JointInput& joint)
 
 void check_fit(const Study& study)
 {
-    const Parameters p = with_modulus_stress(study);
-    check_modulus_stress(study, p.joint);
-    for (const double modulus : p.joint.wall_modulus) check_wall_modulus(study, modulus);
+    const Parameters p = with_modulus_stress(study.parameters, study.load, study.source);
+    check_modulus_stress(study.source, p.joint);
+    for (const double modulus : p.joint.wall_modulus)
+        check_wall_modulus(study.wall, study.parameters.stone, study.source, modulus);
     const dem::ClosureFit fit = closure_fit(p, study.wall.course_height);
     const bool stiffens = fit.maximum > 0.0 && std::isfinite(fit.maximum);
     if (stiffens && fit.initial_stiffness > 0.0) return;
-    refuse_law(study, "joint.wall_modulus",
+    refuse_law(study.source, "joint.wall_modulus",
                std::string("no law of closure has these moduli: k_n by Eq. 2 ") +
                    (stiffens ? "grows by more than in proportion to the stress"
                              : "does not grow with the stress") +
@@ -171,22 +175,23 @@ void check_fit(const Study& study)
 }
 
 /// The stiffness that joints have under the stress of each wall.
-void check_closed_stiffness(const Study& study)
+void check_closed_stiffness(const JointInput& joint, const LoadInput& load,
+                            const StudyFile& source)
 {
-    const dem::Closing& c = study.parameters.joint.closing;
-    check_not_too_soft(study, "joint.initial_stiffness", c.initial_stiffness);
-    for (const double stress : study.load.vertical_stress)
+    const dem::Closing& c = joint.closing;
+    check_not_too_soft(joint, source, "joint.initial_stiffness", c.initial_stiffness);
+    for (const double stress : load.vertical_stress)
         if (!(dem::closed_stiffness(c, stress) <= kStiffest))
-            refuse_law(study, "joint.maximum_closure",
+            refuse_law(source, "joint.maximum_closure",
                        "makes joints stiffer than 1e+06 GPa/m under " +
                            quantity_text(stress, "MPa") + "; write a larger value");
     if (c.stiffest < c.initial_stiffness)
-        refuse_law(study, "joint.largest_stiffness",
+        refuse_law(source, "joint.largest_stiffness",
                    "must be at least joint.initial_stiffness, " +
                        quantity_text(c.initial_stiffness, "GPa/m"));
     const double most = dem::kMostStiffening * c.initial_stiffness;
     if (c.stiffest > most)
-        refuse_law(study, "joint.largest_stiffness",
+        refuse_law(source, "joint.largest_stiffness",
                    "must be at most " + number(dem::kMostStiffening, 4) +
                        " times joint.initial_stiffness, " + quantity_text(most, "GPa/m"));
 }
@@ -194,26 +199,27 @@ void check_closed_stiffness(const Study& study)
 /// Tension and shear share one damage then, whose contacts unload to the origin.
 void check_mixed_modes(const Study& study)
 {
-    const std::string key(mixed_mode_key(study));
+    const std::string key(mixed_mode_key(
+        study.parameters, has_cracks(study.geometry, study.cracks, study.source)));
     if (key.empty()) return;
     if (study.solver.law == dem::ContactLaw::uncoupled)
-        refuse_law(study, "unit.contact_law",
+        refuse_law(study.source, "unit.contact_law",
                    "tension and shear share one damage where " + key +
                        " is given; write coupled, or remove " + key);
     if (study.solver.unloading == dem::Unloading::elastic)
-        refuse_law(study, "unit.unloading",
+        refuse_law(study.source, "unit.unloading",
                    "open cracks unload to the origin where " + key +
                        " is given; write secant, or remove " + key);
 }
 
-std::string closure_note(const Study& study)
+std::string closure_note(const dem::WallGeometry& wall, const Parameters& parameters)
 {
-    if (!is_fitted_closure(study)) return "";
-    const dem::Closing& c = study.parameters.joint.closing;
+    if (!is_fitted_closure(parameters.joint)) return "";
+    const dem::Closing& c = parameters.joint.closing;
     return "note: joint.closure: k_0 = " + number(1e-9 * c.initial_stiffness, 4) +
            " GPa/m and V_m = " + number(1e3 * c.maximum, 4) +
-           " mm, one law fitted to joint.wall_modulus; residuals " + fit_residuals(study) +
-           "\n";
+           " mm, one law fitted to joint.wall_modulus; residuals " +
+           fit_residuals(wall, parameters) + "\n";
 }
 
 /// Coulomb's line meets no shear strength at a tension of c / tan(phi).
@@ -236,34 +242,37 @@ void check_stiffness(const Study& study)
 {
     const JointInput& joint = study.parameters.joint;
     if (closes(joint)) {
-        check_levels_differ(study);
-        check_closure_given(study);
+        check_levels_differ(study.load, study.source);
+        check_closure_given(study.parameters.joint, study.source);
         if (!joint.wall_modulus.empty()) check_fit(study);
     } else {
-        check_constant_stiffness(study);
-        for (const double modulus : joint.wall_modulus) check_wall_modulus(study, modulus);
+        check_constant_stiffness(study.parameters.joint, study.load, study.source);
+        for (const double modulus : joint.wall_modulus)
+            check_wall_modulus(study.wall, study.parameters.stone, study.source, modulus);
         for (const double kn : joint.normal_stiffness)
-            check_not_too_soft(study, "joint.normal_stiffness", kn);
+            check_not_too_soft(study.parameters.joint, study.source, "joint.normal_stiffness",
+                               kn);
     }
-    check_count(study, "joint.shear_stiffness", joint.shear_stiffness.size());
+    check_count(study.load, study.source, "joint.shear_stiffness",
+                joint.shear_stiffness.size());
 }
 
 void check_joint_laws(const Study& study)
 {
-    if (closes(study.parameters.joint)) check_closed_stiffness(study);
+    if (closes(study.parameters.joint))
+        check_closed_stiffness(study.parameters.joint, study.load, study.source);
     check_mixed_modes(study);
 }
 
-bool is_fitted_closure(const Study& study)
+bool is_fitted_closure(const JointInput& joint)
 {
-    const JointInput& joint = study.parameters.joint;
     return closes(joint) && !joint.wall_modulus.empty();
 }
 
-std::string fit_residuals(const Study& study)
+std::string fit_residuals(const dem::WallGeometry& wall, const Parameters& parameters)
 {
     std::string text;
-    for (const double r : closure_fit(study.parameters, study.wall.course_height).residuals)
+    for (const double r : closure_fit(parameters, wall.course_height).residuals)
         text +=
             (text.empty() ? "" : ", ") + std::string(r < 0.0 ? "" : "+") + fixed(100.0 * r, 2);
     return text + " %";
@@ -274,11 +283,12 @@ std::string joint_law_notes(const Study& study)
     const dem::CrackParameters& unit = study.parameters.unit;
     const JointInput& joint = study.parameters.joint;
     constexpr auto kCoulomb = dem::Envelope::coulomb;
-    std::string notes = closure_note(study);
-    if (has_cracks(study) && unit.envelope == kCoulomb && unit.tension_reduces_shear)
+    std::string notes = closure_note(study.wall, study.parameters);
+    if (has_cracks(study.geometry, study.cracks, study.source) && unit.envelope == kCoulomb &&
+        unit.tension_reduces_shear)
         notes += lost_tension("unit", "units", unit.tensile_strength, unit.cohesion,
                               unit.friction_angle);
-    if (has_mortar(study) && joint.envelope == kCoulomb)
+    if (has_mortar(study.parameters.joint) && joint.envelope == kCoulomb)
         notes += lost_tension("joint", "mortar", joint.tensile_strength, joint.cohesion,
                               joint.friction_angle);
     return notes;

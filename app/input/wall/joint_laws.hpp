@@ -2,10 +2,14 @@
 /// Rules that tie the keys of joints and cracks to each other, and remarks on the laws that
 /// they choose.
 
+#include "dem/scene/wall.hpp"
+
 #include <string>
 
 namespace app {
 
+struct JointInput;
+struct Parameters;
 struct Study;
 
 /// Joint stiffness: where it comes from, and one value per stress level. Before defaults are
@@ -18,11 +22,12 @@ void check_stiffness(const Study& study);
 void check_joint_laws(const Study& study);
 
 /// Whether the law of closure is fitted to wall moduli.
-[[nodiscard]] bool is_fitted_closure(const Study& study);
+[[nodiscard]] bool is_fitted_closure(const JointInput& joint);
 
 /// "-0.55, +0.47 %": stiffness by the fitted law of closure, relative to that of each wall
 /// modulus.
-[[nodiscard]] std::string fit_residuals(const Study& study);
+[[nodiscard]] std::string fit_residuals(const dem::WallGeometry& wall,
+                                        const Parameters& parameters);
 
 /// Lines for people: the fitted law of closure, and the tensile strength that friction takes
 /// from Coulomb's envelope at mean values; empty if there is neither.

@@ -11,18 +11,22 @@ constexpr double kMostSeed = 1e9; // of the range of wall.seed
 
 } // namespace
 
-bool has_layouts(const Study& study) { return study.geometry.layouts > 1; }
+bool has_layouts(const GeometryInput& geometry) { return geometry.layouts > 1; }
 
-bool is_random(const Study& study) { return !study.random.empty() || has_layouts(study); }
-
-std::uint32_t layout_seed(const Study& study, std::uint32_t sample)
+bool is_random(const GeometryInput& geometry, const std::vector<RandomInput>& random)
 {
-    return study.wall.seed + sample % static_cast<std::uint32_t>(study.geometry.layouts);
+    return !random.empty() || has_layouts(geometry);
+}
+
+std::uint32_t layout_seed(const dem::WallGeometry& wall, const GeometryInput& geometry,
+                          std::uint32_t sample)
+{
+    return wall.seed + sample % static_cast<std::uint32_t>(geometry.layouts);
 }
 
 void check_layouts(const Study& study)
 {
-    if (!has_layouts(study)) return;
+    if (!has_layouts(study.geometry)) return;
     const GeometryInput& g = study.geometry;
     if (study.wall.seed + static_cast<double>(g.layouts) - 1.0 > kMostSeed)
         throw error_at(study.source, "wall.layouts",
@@ -37,11 +41,10 @@ void check_layouts(const Study& study)
                        "wall.layouts = 1");
 }
 
-void refuse_layouts(const Study& study)
+void refuse_layouts(const GeometryInput& geometry, const StudyFile& source)
 {
-    if (has_layouts(study))
-        throw error_at(study.source, "wall.layouts",
-                       "only the verb study draws layouts; write 1");
+    if (has_layouts(geometry))
+        throw error_at(source, "wall.layouts", "only the verb study draws layouts; write 1");
 }
 
 } // namespace app

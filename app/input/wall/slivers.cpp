@@ -22,12 +22,11 @@ bool has_slivers(const dem::Layout& layout, double smallest)
 
 } // namespace
 
-bool openings_make_slivers(const Study& study, double smallest)
+bool openings_make_slivers(Study study, double smallest)
 {
     if (study.wall.openings.empty()) return false;
-    Study whole = study;
-    whole.wall.openings.clear();
-    return !has_slivers(layout_of(whole), smallest);
+    study.wall.openings.clear();
+    return !has_slivers(layout_of(study), smallest);
 }
 
 bool cracks_make_slivers(const Study& study, double smallest)

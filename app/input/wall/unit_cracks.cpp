@@ -71,11 +71,12 @@ dem::CrackPattern parse_pattern(std::string_view text)
     refuse_pattern(text);
 }
 
-dem::Region toe_of(const Study& study)
+dem::Region toe_of(const dem::WallGeometry& wall, const GeometryInput& geometry,
+                   const LoadInput& load)
 {
-    const dem::Region all = wall_extent(study);
+    const dem::Region all = wall_extent(wall, geometry);
     const double middle = 0.5 * (all.x0 + all.x1);
-    const int direction = push_way(study).direction;
+    const int direction = push_way(load).direction;
     return {direction > 0 ? middle : all.x0, all.z0, direction < 0 ? middle : all.x1,
             all.z0 + kToeHeight * (all.z1 - all.z0)};
 }
@@ -94,10 +95,11 @@ dem::Region parse_box(std::string_view text)
     return {x, z, x + width, z + height};
 }
 
-std::vector<dem::Region> parse_regions(std::string_view text, const Study& study)
+std::vector<dem::Region> parse_regions(std::string_view text, const dem::WallGeometry& wall,
+                                       const GeometryInput& geometry, const LoadInput& load)
 {
     if (trimmed(text) == kNeeded) return {}; // all, until it is found out
-    if (trimmed(text) == "toe") return {toe_of(study)};
+    if (trimmed(text) == "toe") return {toe_of(wall, geometry, load)};
     std::vector<dem::Region> regions;
     for (const std::string_view box : split(text, ";")) regions.push_back(parse_box(box));
     return regions;
@@ -116,16 +118,17 @@ std::string regions_text(const std::vector<dem::Region>& regions)
 }
 
 /// A drawn wall has whole units only where their length is given, rubble none.
-void keep_possible(const Study& study, std::string_view key, dem::CrackPattern& pattern)
+void keep_possible(const GeometryInput& geometry, const StudyFile& source, std::string_view key,
+                   dem::CrackPattern& pattern)
 {
     const bool whole_units =
-        in_courses(study) ||
-        (!study.geometry.rubble && find_entry(study.source, "wall.unit_length") != nullptr);
+        in_courses(geometry) ||
+        (!geometry.rubble && find_entry(source, "wall.unit_length") != nullptr);
     if (pattern.kind != CrackKind::mid || whole_units) return;
-    if (find_entry(study.source, key) != nullptr)
+    if (find_entry(source, key) != nullptr)
         throw error_at(
-            study.source, key,
-            study.geometry.rubble
+            source, key,
+            geometry.rubble
                 ? "mid needs whole units, and rubble has none; write thirds, grid(2, 2), ..."
                 : "mid needs whole units; give wall.unit_length, by which whole units of a "
                   "drawn "
@@ -135,46 +138,49 @@ void keep_possible(const Study& study, std::string_view key, dem::CrackPattern& 
 
 } // namespace
 
-CrackPatterns crack_patterns(const Study& study)
+CrackPatterns crack_patterns(const GeometryInput& geometry, const CrackInput& in,
+                             const StudyFile& source)
 {
-    const CrackInput& in = study.cracks;
     if (in.cut_nothing) return {{CrackKind::none}, {CrackKind::none}};
     CrackPatterns p{{in.in_units ? CrackKind::mid : CrackKind::none},
                     {in.in_units ? CrackKind::mid : CrackKind::none}};
     if (!in.pattern.empty()) {
         if (!in.in_units)
-            throw error_at(study.source, "unit.cracks",
+            throw error_at(source, "unit.cracks",
                            "wall.unit_cracks = no says that units have no cracks; remove one "
                            "of the two keys");
-        read_at(study.source, "unit.cracks", [&] { p.pattern = parse_pattern(in.pattern); });
+        read_at(source, "unit.cracks", [&] { p.pattern = parse_pattern(in.pattern); });
     }
     if (!in.elsewhere.empty())
-        read_at(study.source, "unit.cracks_elsewhere",
+        read_at(source, "unit.cracks_elsewhere",
                 [&] { p.elsewhere = parse_pattern(in.elsewhere); });
     else if (trimmed(in.where) == kNeeded)
         p.elsewhere = {CrackKind::none};
-    keep_possible(study, "unit.cracks", p.pattern);
-    keep_possible(study, "unit.cracks_elsewhere", p.elsewhere);
+    keep_possible(geometry, source, "unit.cracks", p.pattern);
+    keep_possible(geometry, source, "unit.cracks_elsewhere", p.elsewhere);
     return p;
 }
 
 void read_unit_cracks(Study& study)
 {
-    const CrackPatterns p = crack_patterns(study);
+    const CrackPatterns p = crack_patterns(study.geometry, study.cracks, study.source);
     study.wall.cracks.pattern = p.pattern;
     study.wall.cracks.elsewhere = p.elsewhere;
     if (!study.cracks.where.empty())
-        read_at(study.source, "unit.cracks_where",
-                [&] { study.wall.cracks.where = parse_regions(study.cracks.where, study); });
+        read_at(study.source, "unit.cracks_where", [&] {
+            study.wall.cracks.where =
+                parse_regions(study.cracks.where, study.wall, study.geometry, study.load);
+        });
 }
 
 void check_pieces_of_units(const Study& study)
 {
     constexpr double kMostPieces = 1e5;
     const dem::UnitCracks& cracks = study.wall.cracks;
-    if (!any_pattern(study, [](const dem::CrackPattern& p) {
-            return p.kind == CrackKind::grid || p.kind == CrackKind::voronoi;
-        }))
+    if (!any_pattern(study.geometry, study.cracks, study.source,
+                     [](const dem::CrackPattern& p) {
+                         return p.kind == CrackKind::grid || p.kind == CrackKind::voronoi;
+                     }))
         return;            // few pieces of each unit
     Study regular = study; // random lengths may not be possible, which is told later
     regular.wall.length_cov = 0.0;
@@ -194,9 +200,10 @@ void check_pieces_of_units(const Study& study)
                        "100000");
 }
 
-bool asks_for_needed_cracks(const Study& study)
+bool asks_for_needed_cracks(const GeometryInput& geometry, const CrackInput& cracks,
+                            const StudyFile& source)
 {
-    return trimmed(study.cracks.where) == kNeeded && has_cracks(study);
+    return trimmed(cracks.where) == kNeeded && has_cracks(geometry, cracks, source);
 }
 
 void put_cracks(const std::vector<dem::Region>& boxes, Study& study)
@@ -206,9 +213,10 @@ void put_cracks(const std::vector<dem::Region>& boxes, Study& study)
     if (study.cracks.elsewhere.empty()) study.cracks.elsewhere = "none";
 }
 
-bool has_cracks(const Study& study)
+bool has_cracks(const GeometryInput& geometry, const CrackInput& cracks,
+                const StudyFile& source)
 {
-    return any_pattern(study,
+    return any_pattern(geometry, cracks, source,
                        [](const dem::CrackPattern& p) { return p.kind != CrackKind::none; });
 }
 

@@ -8,7 +8,10 @@
 
 namespace app {
 
+struct CrackInput;
+struct GeometryInput;
 struct Study;
+struct StudyFile;
 
 /// Reads `unit.cracks` and what belongs to it into Study::wall. The region `toe` is the lower
 /// 40 % of the half of the wall that it is pushed towards; of both halves where it is pushed to
@@ -22,7 +25,8 @@ void read_unit_cracks(Study& study);
 void check_pieces_of_units(const Study& study);
 
 /// Whether `unit.cracks_where = needed` has still to be carried out.
-[[nodiscard]] bool asks_for_needed_cracks(const Study& study);
+[[nodiscard]] bool asks_for_needed_cracks(const GeometryInput& geometry,
+                                          const CrackInput& cracks, const StudyFile& source);
 
 /// Puts boxes in the place of `unit.cracks_where = needed` (app/input/needed_cracks.hpp), in
 /// which form the study is kept.
@@ -36,17 +40,21 @@ struct CrackPatterns {
 
 /// Patterns that units may crack in; none for a drawn wall that no pattern cuts.
 /// @throws ConfigError
-[[nodiscard]] CrackPatterns crack_patterns(const Study& study);
+[[nodiscard]] CrackPatterns crack_patterns(const GeometryInput& geometry, const CrackInput& in,
+                                           const StudyFile& source);
 
 /// Whether units may crack in a pattern that a condition holds for.
 /// @throws ConfigError
-template <class Holds> [[nodiscard]] bool any_pattern(const Study& study, Holds holds)
+template <class Holds>
+[[nodiscard]] bool any_pattern(const GeometryInput& geometry, const CrackInput& cracks,
+                               const StudyFile& source, Holds holds)
 {
-    const CrackPatterns p = crack_patterns(study);
-    return holds(p.pattern) || (!study.cracks.where.empty() && holds(p.elsewhere));
+    const CrackPatterns p = crack_patterns(geometry, cracks, source);
+    return holds(p.pattern) || (!cracks.where.empty() && holds(p.elsewhere));
 }
 
 /// Whether any unit may crack.
-[[nodiscard]] bool has_cracks(const Study& study);
+[[nodiscard]] bool has_cracks(const GeometryInput& geometry, const CrackInput& cracks,
+                              const StudyFile& source);
 
 } // namespace app

@@ -78,15 +78,15 @@ std::vector<dem::DrawnUnit> parse_outlines(GeometryInput& g)
     return units;
 }
 
-std::filesystem::path path_of(const Study& study)
+std::filesystem::path path_of(const GeometryInput& geometry, const StudyFile& source)
 {
-    return path_from(study.source, "wall.geometry", study.geometry.file);
+    return path_from(source, "wall.geometry", geometry.file);
 }
 
 void read_file(Study& study)
 {
     GeometryInput& g = study.geometry;
-    const std::filesystem::path path = path_of(study);
+    const std::filesystem::path path = path_of(study.geometry, study.source);
     if (is_picture(path))
         for (const auto& [key, size] : {std::pair{"wall.picture_width", g.picture_width},
                                         std::pair{"wall.picture_height", g.picture_height}})
@@ -134,42 +134,42 @@ std::string outline_text(const dem::DrawnUnit& unit)
     return text;
 }
 
-dem::DrawnWall drawn_wall(const Study& study)
+dem::DrawnWall drawn_wall(const dem::WallGeometry& courses, const GeometryInput& geometry,
+                          const StudyFile& source)
 {
     dem::DrawnWall wall;
-    wall.units = study.geometry.units;
-    wall.stones = study.geometry.stones;
-    wall.lintels = material_of(study.geometry.layers, kLintels);
-    wall.thickness = study.wall.thickness;
-    wall.base = study.wall.base;
-    const bool given = find_entry(study.source, "wall.unit_length") != nullptr;
-    wall.unit_length = given ? study.wall.unit_length : 0.0;
-    wall.cracks = study.wall.cracks;
+    wall.units = geometry.units;
+    wall.stones = geometry.stones;
+    wall.lintels = material_of(geometry.layers, kLintels);
+    wall.thickness = courses.thickness;
+    wall.base = courses.base;
+    const bool given = find_entry(source, "wall.unit_length") != nullptr;
+    wall.unit_length = given ? courses.unit_length : 0.0;
+    wall.cracks = courses.cracks;
     return wall;
 }
 
-double beam_height(const Study& study) { return study.beam.present ? study.beam.height : 0.0; }
+double beam_height(const dem::Beam& beam) { return beam.present ? beam.height : 0.0; }
 
 } // namespace
 
-bool is_drawn(const Study& study)
+bool is_drawn(const GeometryInput& geometry)
 {
-    return !study.geometry.units.empty() && !study.geometry.rubble;
+    return !geometry.units.empty() && !geometry.rubble;
 }
 
-std::string_view geometry_key(const Study& study)
+std::string_view geometry_key(const GeometryInput& g)
 {
-    const GeometryInput& g = study.geometry;
     return !g.file.empty() ? "wall.geometry" : !g.outlines.empty() ? "wall.outlines" : "wall";
 }
 
-bool in_courses(const Study& study)
+bool in_courses(const GeometryInput& g)
 {
-    const GeometryInput& g = study.geometry;
     return g.file.empty() && g.outlines.empty() && !g.rubble;
 }
 
-void require_joints(const Study& study, const dem::Layout& layout)
+void require_joints(const GeometryInput& geometry, const StudyFile& source,
+                    const dem::Layout& layout)
 {
     std::vector<char> has(layout.blocks.size());
     for (const dem::Face& f : layout.faces)
@@ -185,11 +185,11 @@ void require_joints(const Study& study, const dem::Layout& layout)
             ? "the beam"
             : "the block at (" + number(at.x, 4) + ", " + number(at.z, 4) + ")";
     if (block.motion != dem::Motion::free)
-        throw error_at(study.source, "wall.base",
+        throw error_at(source, "wall.base",
                        "fixed holds " + name +
                            ", which touches no other, so that nothing of it can move; write "
                            "joint, or leave the block out");
-    throw error_at(study.source, geometry_key(study),
+    throw error_at(source, geometry_key(geometry),
                    name + " lies against no other over more than " +
                        number(1e3 * dem::kShortestFace, 3) +
                        " mm; draw it against its neighbours");
@@ -198,7 +198,7 @@ void require_joints(const Study& study, const dem::Layout& layout)
 void read_geometry(Study& study)
 {
     GeometryInput& g = study.geometry;
-    const std::string_view key = geometry_key(study);
+    const std::string_view key = geometry_key(study.geometry);
     if (g.file.empty() && g.outlines.empty()) {
         read_built_wall(study);
         return;
@@ -215,102 +215,101 @@ void read_geometry(Study& study)
             read_file(study);
         }
         read_unit_cracks(study);
-        require_level_top(study);
-        std::ranges::copy(notes_of_ends(study), std::back_inserter(g.notes));
+        require_level_top(study.geometry, study.beam);
+        std::ranges::copy(notes_of_ends(study.geometry, study.beam),
+                          std::back_inserter(g.notes));
         check_pieces_of_units(study);
-        const dem::Layout layout = dem::drawn_layout(drawn_wall(study), beam_height(study));
-        require_joints(study, layout);
+        const dem::Layout layout = dem::drawn_layout(
+            drawn_wall(study.wall, study.geometry, study.source), beam_height(study.beam));
+        require_joints(study.geometry, study.source, layout);
         if (find_entry(study.source, "wall.course_height") == nullptr)
             study.wall.course_height = layout.course_height;
         study.cracks.cut_nothing = layout.n_cracks == 0;
     });
 }
 
-dem::Region wall_extent(const Study& study)
+dem::Region wall_extent(const dem::WallGeometry& wall, const GeometryInput& geometry)
 {
-    if (!is_drawn(study))
-        return {0.0, 0.0, study.wall.length,
-                dem::top_of_course(study.wall, study.wall.courses)};
-    const std::vector<dem::DrawnUnit>& units = study.geometry.units;
+    if (!is_drawn(geometry))
+        return {0.0, 0.0, wall.length, dem::top_of_course(wall, wall.courses)};
+    const std::vector<dem::DrawnUnit>& units = geometry.units;
     dem::Region all = dem::extent_of(units.front().outline);
     for (const dem::DrawnUnit& unit : units) all = dem::join(all, dem::extent_of(unit.outline));
     return all;
 }
 
-double wall_length(const Study& study)
+double wall_length(const dem::WallGeometry& wall, const GeometryInput& geometry)
 {
-    if (!is_drawn(study)) return study.wall.length;
-    const dem::Region all = wall_extent(study);
+    if (!is_drawn(geometry)) return wall.length;
+    const dem::Region all = wall_extent(wall, geometry);
     return all.x1 - all.x0;
 }
 
-double wall_height(const Study& study) { return wall_extent(study).z1; }
-
-bool has_mortar(const Study& study)
+double wall_height(const dem::WallGeometry& wall, const GeometryInput& geometry)
 {
-    const JointInput& joint = study.parameters.joint;
+    return wall_extent(wall, geometry).z1;
+}
+
+bool has_mortar(const JointInput& joint)
+{
     return joint.tensile_strength > 0.0 || joint.cohesion > 0.0;
 }
 
-bool has_crushing(const Study& study)
+bool has_crushing(const Parameters& p, bool units_crack)
 {
-    const Parameters& p = study.parameters;
-    return p.joint.crushing.strength > 0.0 ||
-           (has_cracks(study) && p.unit.crushing.strength > 0.0);
+    return p.joint.crushing.strength > 0.0 || (units_crack && p.unit.crushing.strength > 0.0);
 }
 
-std::string_view mixed_mode_key(const Study& study)
+std::string_view mixed_mode_key(const Parameters& p, bool units_crack)
 {
-    const dem::CrackParameters& unit = study.parameters.unit;
-    const JointInput& joint = study.parameters.joint;
     constexpr auto kHyperbolic = dem::Envelope::hyperbolic;
-    if (has_cracks(study) && unit.envelope == kHyperbolic) return "unit.envelope";
-    if (has_cracks(study) && unit.shear_fracture_energy > 0.0)
-        return "unit.shear_fracture_energy";
-    if (has_mortar(study) && joint.envelope == kHyperbolic) return "joint.envelope";
-    if (has_mortar(study) && joint.shear_fracture_energy > 0.0)
-        return "joint.shear_fracture_energy";
+    if (units_crack && p.unit.envelope == kHyperbolic) return "unit.envelope";
+    if (units_crack && p.unit.shear_fracture_energy > 0.0) return "unit.shear_fracture_energy";
+    if (!has_mortar(p.joint)) return "";
+    if (p.joint.envelope == kHyperbolic) return "joint.envelope";
+    if (p.joint.shear_fracture_energy > 0.0) return "joint.shear_fracture_energy";
     return "";
 }
 
-bool is_full_rectangle(const Study& study)
+bool is_full_rectangle(const dem::WallGeometry& wall, const GeometryInput& geometry)
 {
-    if (!is_drawn(study)) return study.wall.openings.empty();
+    if (!is_drawn(geometry)) return wall.openings.empty();
     constexpr double kRounding = 1e-9; // of the area
-    const dem::Region all = wall_extent(study);
+    const dem::Region all = wall_extent(wall, geometry);
     double area = 0.0;
-    for (const dem::DrawnUnit& unit : study.geometry.units) {
+    for (const dem::DrawnUnit& unit : geometry.units) {
         if (unit.material != 0) return false;
         area += dem::polygon_area(unit.outline);
     }
     return area >= (1.0 - kRounding) * (all.x1 - all.x0) * (all.z1 - all.z0);
 }
 
-dem::Layout whole_units(const Study& study)
+dem::Layout whole_units(Study study)
 {
-    Study uncracked = study;
-    uncracked.wall.cracks.pattern = {dem::CrackPattern::Kind::none};
-    uncracked.wall.cracks.where.clear();
-    return layout_of(uncracked);
+    study.wall.cracks.pattern = {dem::CrackPattern::Kind::none};
+    study.wall.cracks.where.clear();
+    return layout_of(study);
 }
 
 dem::Layout layout_of(const Study& study)
 {
-    dem::Layout layout = !study.geometry.units.empty()
-                             ? dem::drawn_layout(drawn_wall(study), beam_height(study))
-                             : dem::lay_out(study.wall, beam_height(study));
+    dem::Layout layout =
+        !study.geometry.units.empty()
+            ? dem::drawn_layout(drawn_wall(study.wall, study.geometry, study.source),
+                                beam_height(study.beam))
+            : dem::lay_out(study.wall, beam_height(study.beam));
     layout.course_height = study.wall.course_height; // h of Eq. 2
-    layout.mortar = has_mortar(study);
-    layout.crushing = has_crushing(study);
+    layout.mortar = has_mortar(study.parameters.joint);
+    const bool units_crack = has_cracks(study.geometry, study.cracks, study.source);
+    layout.crushing = has_crushing(study.parameters, units_crack);
     layout.wear = study.parameters.joint.wear_length > 0.0;
     layout.closure = study.parameters.joint.closure;
-    layout.mixed_mode = !mixed_mode_key(study).empty();
+    layout.mixed_mode = !mixed_mode_key(study.parameters, units_crack).empty();
     return layout;
 }
 
-std::string outlines_text(const Study& study)
+std::string outlines_text(const GeometryInput& g)
 {
-    const GeometryInput& g = study.geometry;
     std::string text;
     for (const dem::DrawnUnit& unit : g.units) {
         if (!text.empty()) text += "; ";
@@ -320,10 +319,10 @@ std::string outlines_text(const Study& study)
     return text;
 }
 
-std::string outlines_mark(const Study& study)
+std::string outlines_mark(const GeometryInput& geometry)
 {
-    return std::to_string(study.geometry.units.size()) + " outlines, " +
-           check_sum(outlines_text(study));
+    return std::to_string(geometry.units.size()) + " outlines, " +
+           check_sum(outlines_text(geometry));
 }
 
 } // namespace app

@@ -15,14 +15,14 @@ namespace app {
 namespace {
 
 /// The sentence on a wall that keeps its load with small displacements, and its remedy.
-std::string keeps_its_load_text(const Study& study)
+std::string keeps_its_load_text(const LoadInput& load)
 {
     return std::string(
                "with small displacements a wall that rocks or slides keeps its load; for "
                "its own limit write solver.kinematics = finite and ") +
-           (!study.load.amplitudes.empty() ? "larger load.amplitudes"
-            : !study.load.targets.empty()  ? "load.targets that go further"
-                                           : "a larger load.max_displacement");
+           (!load.amplitudes.empty() ? "larger load.amplitudes"
+            : !load.targets.empty()  ? "load.targets that go further"
+                                     : "a larger load.max_displacement");
 }
 
 /// The sentence on cycles whose first amplitude lies beyond yield, and its remedy.
@@ -37,43 +37,42 @@ std::string beyond_yield_text(double begin_with)
 }
 
 /// The force of the wall had not come down when its push ended, and never would.
-bool keeps_its_load(const Study& study, const WallReading& wall)
+bool keeps_its_load(const dem::SolverOptions& solver, const WallReading& wall)
 {
-    return study.solver.kinematics == dem::Kinematics::small && is_censored(wall.ultimate);
+    return solver.kinematics == dem::Kinematics::small && is_censored(wall.ultimate);
 }
 
-std::string_view kinematics_effect(const Study& study)
+std::string_view kinematics_effect(const dem::SolverOptions& solver)
 {
-    return study.solver.kinematics == dem::Kinematics::small
+    return solver.kinematics == dem::Kinematics::small
                ? "small displacements: a wall that rocks or slides keeps its load and has no "
                  "limit"
                : "finite displacements: a wall loses its load as it leans and slides";
 }
 
-std::string_view base_effect(const Study& study)
+std::string_view base_effect(const dem::WallGeometry& wall)
 {
-    return study.wall.base == dem::Base::fixed
+    return wall.base == dem::Base::fixed
                ? "the lowest stones are clamped to the floor: they neither lift nor slide"
                : "the wall stands on a joint: it may lift off the floor and slide on it";
 }
 
-std::string_view toe_effect(const Study& study)
+std::string_view toe_effect(const dem::WallGeometry& wall)
 {
-    return study.wall.toe == dem::Toe::held
-               ? "the toe is held: the first course cannot slide away"
-               : "the toe is free: only friction holds the first course";
+    return wall.toe == dem::Toe::held ? "the toe is held: the first course cannot slide away"
+                                      : "the toe is free: only friction holds the first course";
 }
 
-std::string_view rotation_effect(const Study& study)
+std::string_view rotation_effect(const dem::Beam& beam)
 {
-    return study.beam.rotation == dem::BeamRotation::free
+    return beam.rotation == dem::BeamRotation::free
                ? "the top may turn: the wall rocks as a cantilever"
                : "the top stays level: the wall bends twice and carries more";
 }
 
-std::string_view top_effect(const Study& study)
+std::string_view top_effect(const LoadInput& load)
 {
-    switch (study.load.top) {
+    switch (load.top) {
     case dem::TopLoad::dead:
         return "the load moves with the top: its lever arm shrinks as the wall leans";
     case dem::TopLoad::fixed_line:
@@ -85,16 +84,16 @@ std::string_view top_effect(const Study& study)
     }
 }
 
-std::string_view interface_effect(const Study& study)
+std::string_view interface_effect(const dem::Beam& beam)
 {
-    return study.beam.interface == dem::BeamInterface::tied
+    return beam.interface == dem::BeamInterface::tied
                ? "the beam is tied to the wall: the load cannot slide on it"
                : "the beam lies on a joint: the load may slide on the wall";
 }
 
-std::string_view crushing_effect(const Study& study)
+std::string_view crushing_effect(const Parameters& p)
 {
-    return study.parameters.joint.crushing.strength > 0.0
+    return p.joint.crushing.strength > 0.0
                ? "joints crush: the wall turns about a point inside its toe"
                : "joints do not crush: the toe carries any stress";
 }
@@ -103,13 +102,15 @@ struct Rule {
     std::string_view key;
     std::string_view (*effect)(const Study&);
 };
-constexpr Rule kRules[] = {{"solver.kinematics", kinematics_effect},
-                           {"wall.base", base_effect},
-                           {"wall.toe", toe_effect},
-                           {"beam.rotation", rotation_effect},
-                           {"load.top", top_effect},
-                           {"beam.interface", interface_effect},
-                           {"joint.compressive_strength", crushing_effect}};
+constexpr Rule kRules[] = {
+    {"solver.kinematics", asks<&Study::solver>([](auto& x) { return kinematics_effect(x); })},
+    {"wall.base", asks<&Study::wall>([](auto& x) { return base_effect(x); })},
+    {"wall.toe", asks<&Study::wall>([](auto& x) { return toe_effect(x); })},
+    {"beam.rotation", asks<&Study::beam>([](auto& x) { return rotation_effect(x); })},
+    {"load.top", asks<&Study::load>([](auto& x) { return top_effect(x); })},
+    {"beam.interface", asks<&Study::beam>([](auto& x) { return interface_effect(x); })},
+    {"joint.compressive_strength",
+     asks<&Study::parameters>([](auto& x) { return crushing_effect(x); })}};
 
 /// With small displacements the vertical load keeps its lever arm, however it follows the beam.
 bool plays_a_part(const Key& key, const Study& study)
@@ -121,11 +122,12 @@ bool plays_a_part(const Key& key, const Study& study)
 
 } // namespace
 
-std::string no_limit_remark(const Study& study, const WallReading& wall)
+std::string no_limit_remark(const LoadInput& load, const dem::SolverOptions& solver,
+                            const FragilityInput& fragility, const WallReading& wall)
 {
-    if (!keeps_its_load(study, wall)) return "";
-    return "the force did not come down to " + percent_text(study.fragility.ultimate_share) +
-           " of the peak: " + keeps_its_load_text(study);
+    if (!keeps_its_load(solver, wall)) return "";
+    return "the force did not come down to " + percent_text(fragility.ultimate_share) +
+           " of the peak: " + keeps_its_load_text(load);
 }
 
 std::string no_limit_remark(const StudyWalls& walls)
@@ -134,12 +136,12 @@ std::string no_limit_remark(const StudyWalls& walls)
     for (const StudyLevel& level : walls.levels) {
         all += level.walls.size();
         for (const StudyWall& w : level.walls)
-            without += keeps_its_load(walls.study, w.reading) ? 1 : 0;
+            without += keeps_its_load(walls.study.solver, w.reading) ? 1 : 0;
     }
     if (without == 0) return "";
     return std::to_string(without) + " of " + counted(all, "wall", "walls") +
            " still carried more than " + percent_text(walls.study.fragility.ultimate_share) +
-           " of the peak at the end: " + keeps_its_load_text(walls.study) + ".";
+           " of the peak at the end: " + keeps_its_load_text(walls.study.load) + ".";
 }
 
 std::string no_yield_remark(const WallReading& wall)

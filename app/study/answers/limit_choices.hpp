@@ -3,6 +3,7 @@
 /// output takes its sentences from here.
 
 #include "app/study/stored/study_walls.hpp"
+#include "dem/solver/state/solver_options.hpp"
 
 #include <string>
 #include <string_view>
@@ -10,9 +11,15 @@
 
 namespace app {
 
+struct FragilityInput;
+struct LoadInput;
+
 /// The remark on a wall whose small displacements leave it no drift limit, without a full stop;
 /// empty where there is a limit, or another reason.
-[[nodiscard]] std::string no_limit_remark(const Study& study, const WallReading& wall);
+[[nodiscard]] std::string no_limit_remark(const LoadInput& load,
+                                          const dem::SolverOptions& solver,
+                                          const FragilityInput& fragility,
+                                          const WallReading& wall);
 
 /// The same of the walls of a study, with their number, as a sentence; empty where every wall
 /// has a limit.

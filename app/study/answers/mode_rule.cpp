@@ -1,5 +1,7 @@
 #include "app/study/answers/mode_rule.hpp"
 
+#include "app/input/study/fragility_input.hpp"
+#include "app/input/study/load_input.hpp"
 #include "app/study/answers/fragility_text.hpp"
 #include "app/text/number_text.hpp"
 
@@ -25,15 +27,15 @@ std::string ultimate_text(const FragilityInput& f)
            percent_text(f.ultimate_share) + " of the peak";
 }
 
-std::string backbone_text(const Study& study)
+std::string backbone_text(const LoadInput& load, const FragilityInput& fragility)
 {
-    if (push_way(study).direction != 0) return "";
+    if (push_way(load).direction != 0) return "";
     constexpr std::array<const char*, 4> kReadOn = {
         "the mean of the backbones of both directions",
         "the backbone of the direction that reaches the limit first",
         "the backbone to the right", "the backbone to the left"};
     return std::string(" The push is cyclic; values are read on ") +
-           kReadOn.at(static_cast<int>(study.fragility.backbone)) + ".";
+           kReadOn.at(static_cast<int>(fragility.backbone)) + ".";
 }
 
 std::string undecided_text(const FragilityInput& f)

@@ -1,18 +1,19 @@
 #pragma once
 /// The rules by which walls are read, in words.
 
-#include "app/input/study/study.hpp"
-
 #include <string>
 
 namespace app {
+
+struct FragilityInput;
+struct LoadInput;
 
 /// "force first comes down to 80 % of the peak"
 [[nodiscard]] std::string ultimate_text(const FragilityInput& f);
 
 /// " The push goes to and fro; values are read on the mean of the backbones of both
 /// directions."; empty of a push that goes one way.
-[[nodiscard]] std::string backbone_text(const Study& study);
+[[nodiscard]] std::string backbone_text(const LoadInput& load, const FragilityInput& fragility);
 
 /// Walls whose mode is not decided: "walls that failed or still stood".
 [[nodiscard]] std::string undecided_text(const FragilityInput& f);

@@ -24,7 +24,7 @@ WallErrors all_errors(const StudyWalls& walls, double StudyWall::*error)
 {
     WallErrors all;
     for (const StudyLevel& level : walls.levels) {
-        const WallErrors e = wall_errors(level, error, walls.study);
+        const WallErrors e = wall_errors(level, error, walls.study.solver);
         append_errors(all.known, e.known);
         all.unknown += e.unknown;
         all.above.insert(all.above.end(), e.above.begin(), e.above.end());
@@ -151,7 +151,8 @@ std::string audit_text(const StudyWalls& walls)
 
 } // namespace
 
-WallErrors wall_errors(const StudyLevel& level, double StudyWall::*error, const Study& study)
+WallErrors wall_errors(const StudyLevel& level, double StudyWall::*error,
+                       const dem::SolverOptions& solver)
 {
     WallErrors e;
     for (const StudyWall& w : level.walls) {
@@ -159,7 +160,7 @@ WallErrors wall_errors(const StudyLevel& level, double StudyWall::*error, const 
             e.known.push_back(w.*error);
         else
             ++e.unknown;
-        if (misses_accuracy(w.*error, study)) e.above.push_back(w.key);
+        if (misses_accuracy(w.*error, solver)) e.above.push_back(w.key);
     }
     std::ranges::sort(e.known);
     return e;

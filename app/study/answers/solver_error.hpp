@@ -5,6 +5,7 @@
 
 #include "app/study/stored/study_walls.hpp"
 #include "app/text/number_text.hpp"
+#include "dem/solver/state/solver_options.hpp"
 
 #include <cstddef>
 #include <string>
@@ -12,13 +13,11 @@
 
 namespace app {
 
-struct Study;
-
 /// Whether the error of a wall is larger than the study asks for; an error that is not known is
 /// not.
-[[nodiscard]] inline bool misses_accuracy(double solver_error, const Study& study)
+[[nodiscard]] inline bool misses_accuracy(double solver_error, const dem::SolverOptions& solver)
 {
-    return solver_error > study.solver.accuracy;
+    return solver_error > solver.accuracy;
 }
 
 /// "0.62 %"
@@ -35,7 +34,7 @@ struct WallErrors {
 };
 /// @param error StudyWall::solver_error or StudyWall::points_error
 [[nodiscard]] WallErrors wall_errors(const StudyLevel& level, double StudyWall::*error,
-                                     const Study& study);
+                                     const dem::SolverOptions& solver);
 
 /// |value / value of the slower push - 1| of one wall [-]; NaN: not defined on one of both.
 struct AuditDifference {

@@ -1,5 +1,7 @@
 #include "app/study/pushed/both_ways.hpp"
 
+#include "app/input/study/load_input.hpp"
+#include "app/input/study/study_file.hpp"
 #include "app/input/wall/random_layouts.hpp"
 #include "app/text/number_text.hpp"
 #include "app/text/words.hpp"
@@ -32,21 +34,21 @@ bool both_are_read(const PushedWall& wall)
 
 } // namespace
 
-std::string turned_word(const Study& study)
+std::string turned_word(const LoadInput& load)
 {
-    return turned_round(study).load.direction == Direction::left ? "left" : "right";
+    return load.direction == Direction::left ? "right" : "left";
 }
 
-bool has_cracks_of_one_way(const Study& study)
+bool has_cracks_of_one_way(const StudyFile& source)
 {
-    const Entry* const where = find_entry(study.source, "unit.cracks_where");
+    const Entry* const where = find_entry(source, "unit.cracks_where");
     return where != nullptr &&
            (trimmed(where->value) == "toe" || trimmed(where->value) == "needed");
 }
 
-bool has_other_way(const Study& study, const dem::Layout& layout)
+bool has_other_way(const LoadInput& load, const dem::Layout& layout)
 {
-    return push_way(study).direction != 0 && !dem::is_symmetric(layout);
+    return push_way(load).direction != 0 && !dem::is_symmetric(layout);
 }
 
 const char* way_name(int direction) { return direction > 0 ? "right" : "left"; }
@@ -56,20 +58,21 @@ const PushedWall* other_way_of(const PushedWall& wall)
     return wall.other_way.empty() ? nullptr : &wall.other_way.front();
 }
 
-bool pushes_both_ways(const Study& study, const dem::Layout& layout)
+bool pushes_both_ways(const GeometryInput& geometry, const LoadInput& load,
+                      const StudyFile& source, const dem::Layout& layout)
 {
-    if (study.load.direction != Direction::both || !is_given(study.source, "load.direction") ||
-        push_way(study).direction == 0)
+    if (load.direction != Direction::both || !is_given(source, "load.direction") ||
+        push_way(load).direction == 0)
         return false;
-    if (!has_layouts(study) && dem::is_symmetric(layout)) return false;
-    refuse_cracks_of_one_way(study);
+    if (!has_layouts(geometry) && dem::is_symmetric(layout)) return false;
+    refuse_cracks_of_one_way(source);
     return true;
 }
 
-void refuse_cracks_of_one_way(const Study& study)
+void refuse_cracks_of_one_way(const StudyFile& source)
 {
-    if (has_cracks_of_one_way(study))
-        throw error_at(study.source, "load.direction",
+    if (has_cracks_of_one_way(source))
+        throw error_at(source, "load.direction",
                        "unit.cracks_where = toe and needed place cracks for one direction; "
                        "write right or left, or boxes in place of toe and needed");
 }
@@ -100,27 +103,26 @@ const PushedWall& worse_push(const PushedWall& wall, std::size_t state)
                                                                                   : other;
 }
 
-std::string worse_way_name(const Study& study, const PushedWall& wall, std::size_t state)
+std::string worse_way_name(int direction, const PushedWall& wall, std::size_t state)
 {
     if (both_are_read(wall) && same_limit(wall.reading.limits.at(state),
                                           wall.other_way.front().reading.limits.at(state)))
         return "both";
-    const int direction = push_way(study).direction;
     return way_name(&worse_push(wall, state) == &wall ? direction : -direction);
 }
 
-std::string other_way_remark(const Study& study, const dem::Layout& layout,
-                             const PushedWall& wall)
+std::string other_way_remark(const LoadInput& load, const StudyFile& source,
+                             const dem::Layout& layout, const PushedWall& wall)
 {
-    if (!has_other_way(study, layout)) return "";
-    const int direction = push_way(study).direction;
+    if (!has_other_way(load, layout)) return "";
+    const int direction = push_way(load).direction;
     const std::string first = way_name(direction), other = way_name(-direction);
     const PushedWall* const turned = other_way_of(wall);
     if (turned == nullptr)
         return "the wall is not symmetric and was pushed to the " + first +
                " alone; --set load.direction=" +
-               (has_cracks_of_one_way(study) ? turned_word(study) + " pushes it to the " + other
-                                             : "both pushes it to the " + other + " too");
+               (has_cracks_of_one_way(source) ? turned_word(load) + " pushes it to the " + other
+                                              : "both pushes it to the " + other + " too");
     if (!both_are_read(wall))
         return "the wall is not symmetric; pushed to the " + other + ": " +
                (turned->reading.no_reading.empty() ? kilonewtons(turned->reading)

@@ -8,16 +8,21 @@
 
 namespace app {
 
+struct GeometryInput;
+struct LoadInput;
+struct StudyFile;
+
 /// Whether the push goes one way and the wall is not symmetric.
-[[nodiscard]] bool has_other_way(const Study& study, const dem::Layout& layout);
+[[nodiscard]] bool has_other_way(const LoadInput& load, const dem::Layout& layout);
 
 /// Whether the walls of a study are pushed both ways: where the study asks for it, and walls
 /// are not symmetric.
 /// @throws ConfigError where cracks are placed for one direction
-[[nodiscard]] bool pushes_both_ways(const Study& study, const dem::Layout& layout);
+[[nodiscard]] bool pushes_both_ways(const GeometryInput& geometry, const LoadInput& load,
+                                    const StudyFile& source, const dem::Layout& layout);
 
 /// @throws ConfigError where cracks are placed for one direction
-void refuse_cracks_of_one_way(const Study& study);
+void refuse_cracks_of_one_way(const StudyFile& source);
 
 /// "right" of 1, "left" of -1
 [[nodiscard]] const char* way_name(int direction);
@@ -38,19 +43,20 @@ void refuse_cracks_of_one_way(const Study& study);
 
 /// The direction whose limit is the one of worse_way(): "left", "right", or "both" where they
 /// are the same.
+/// @param direction of the push of this wall: 1 or -1
 /// @param state index in WallReading::limits
-[[nodiscard]] std::string worse_way_name(const Study& study, const PushedWall& wall,
+[[nodiscard]] std::string worse_way_name(int direction, const PushedWall& wall,
                                          std::size_t state);
 
 /// The value of load.direction that turns the push round.
-[[nodiscard]] std::string turned_word(const Study& study);
+[[nodiscard]] std::string turned_word(const LoadInput& load);
 
 /// Whether cracks were placed for one direction.
-[[nodiscard]] bool has_cracks_of_one_way(const Study& study);
+[[nodiscard]] bool has_cracks_of_one_way(const StudyFile& source);
 
 /// Says what a wall carries each way, or how to find out, without a full stop. Empty where
 /// there is no other way.
-[[nodiscard]] std::string other_way_remark(const Study& study, const dem::Layout& layout,
-                                           const PushedWall& wall);
+[[nodiscard]] std::string other_way_remark(const LoadInput& load, const StudyFile& source,
+                                           const dem::Layout& layout, const PushedWall& wall);
 
 } // namespace app

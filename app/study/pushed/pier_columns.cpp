@@ -103,22 +103,25 @@ std::vector<Facts> facts_of(const PierRow& row, const StorePiers& stored,
 
 } // namespace
 
-StorePiers stored_piers_of(const Study& study)
+StorePiers stored_piers_of(const dem::WallGeometry& wall, const GeometryInput& geometry,
+                           const LoadInput& load)
 {
     StorePiers stored;
-    if (!tells_piers(study)) return stored;
-    for (const dem::Pier& p : dem::piers_of(wall_openings(study), wall_extent(study)).piers)
+    if (!tells_piers(wall, geometry, load)) return stored;
+    for (const dem::Pier& p :
+         dem::piers_of(wall_openings(wall, geometry), wall_extent(wall, geometry)).piers)
         stored.places.push_back(place_of(p.at, p.storey));
     add_columns(stored, kFacts);
     return stored;
 }
 
-StorePiers stored_spandrels_of(const Study& study)
+StorePiers stored_spandrels_of(const dem::WallGeometry& wall, const GeometryInput& geometry,
+                               const LoadInput& load)
 {
     StorePiers stored;
-    if (!tells_piers(study)) return stored;
+    if (!tells_piers(wall, geometry, load)) return stored;
     for (const dem::Spandrel& s :
-         dem::piers_of(wall_openings(study), wall_extent(study)).spandrels)
+         dem::piers_of(wall_openings(wall, geometry), wall_extent(wall, geometry)).spandrels)
         stored.places.push_back(place_of(s.at, 1));
     add_columns(stored, kSpandrelFacts);
     return stored;

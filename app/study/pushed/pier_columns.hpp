@@ -5,14 +5,19 @@
 #include "app/store/store_row.hpp"
 #include "app/study/pushed/pier_facts.hpp"
 #include "app/study/pushed/pushed_wall.hpp"
+#include "dem/scene/wall.hpp"
 
 #include <vector>
 
 namespace app {
 
+struct GeometryInput;
+struct LoadInput;
+
 /// Places of the piers of a study's walls, and columns of their facts; nothing where piers are
 /// not told apart.
-[[nodiscard]] StorePiers stored_piers_of(const Study& study);
+[[nodiscard]] StorePiers stored_piers_of(const dem::WallGeometry& wall,
+                                         const GeometryInput& geometry, const LoadInput& load);
 
 /// The piers of a wall as a row; NaN throughout where nothing was read of them.
 [[nodiscard]] PierRow pier_row(const PushedWall& wall, const StorePiers& piers);
@@ -23,7 +28,9 @@ namespace app {
 [[nodiscard]] std::vector<dem::Pier> piers_of(const StorePiers& piers);
 
 /// The same of spandrels, which have no curves of their own.
-[[nodiscard]] StorePiers stored_spandrels_of(const Study& study);
+[[nodiscard]] StorePiers stored_spandrels_of(const dem::WallGeometry& wall,
+                                             const GeometryInput& geometry,
+                                             const LoadInput& load);
 [[nodiscard]] PierRow spandrel_row(const PushedWall& wall, const StorePiers& spandrels);
 [[nodiscard]] std::vector<SpandrelFacts> spandrel_facts_of(const PierRow& row,
                                                            const StorePiers& spandrels);

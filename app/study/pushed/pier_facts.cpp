@@ -1,5 +1,6 @@
 #include "app/study/pushed/pier_facts.hpp"
 
+#include "app/input/study/study.hpp"
 #include "app/study/pushed/pushed_wall.hpp"
 
 #include <algorithm>
@@ -61,7 +62,7 @@ PierFacts facts_of(const Study& study, const dem::PierProbe& probe, const PierHi
 {
     PierFacts f;
     const dem::Pier& pier = probe.piers().piers[i];
-    const double way = push_way(study).direction;
+    const double way = push_way(study.load).direction;
     const dem::PierState peak = calm[at_peak(calm)].piers[i];
     f.normal_before = history.front().piers[i].force.normal;
     f.normal_at_peak = peak.force.normal;

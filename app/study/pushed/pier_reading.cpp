@@ -1,6 +1,7 @@
 #include "app/study/pushed/pier_reading.hpp"
 
 #include "app/input/keys/limit_state_text.hpp"
+#include "app/input/study/study.hpp"
 #include "app/study/pushed/pier_remark.hpp"
 #include "app/study/pushed/pushed_wall.hpp"
 #include "fragility/curve/drift.hpp"
@@ -133,9 +134,10 @@ std::string_view mode_text(const PierReading& pier)
 
 bool is_so_far(std::string_view mode) { return mode.ends_with(kSoFar); }
 
-bool tells_piers(const Study& study)
+bool tells_piers(const dem::WallGeometry& wall, const GeometryInput& geometry,
+                 const LoadInput& load)
 {
-    return push_way(study).direction != 0 && has_piers(study);
+    return push_way(load).direction != 0 && has_piers(wall, geometry);
 }
 
 const PierCap* cap_of(const PierReading& pier, std::string_view code, std::string_view state)
@@ -160,7 +162,11 @@ int governing_pier(const std::vector<PierReading>& piers, std::string_view code,
     return first;
 }
 
-PierRules pier_rules(const Study& study) { return {reading_rules(study), pier_codes(study)}; }
+PierRules pier_rules(const FragilityInput& fragility, ReadingRules rules)
+{
+    std::vector<fragility::Code> codes = pier_codes(fragility, rules);
+    return {std::move(rules), std::move(codes)};
+}
 
 std::vector<PierReading> read_piers(const PierRules& rules, std::span<const dem::Pier> piers,
                                     std::span<const PierFacts> facts,
@@ -211,7 +217,7 @@ void read_piers(const Study& study, const dem::PierProbe& probe, const PierHisto
     const PierHistory calm = calmed(history, kCalm * study.load.height);
     const bool came_down = wall.result.outcome == dem::Outcome::lost_equilibrium;
     const fragility::Curve curve{wall.displacement, wall.force, came_down};
-    const PierRules rules = pier_rules(study);
+    const PierRules rules = pier_rules(study.fragility, reading_rules(study));
     wall.piers =
         read_piers(rules, probe.piers().piers,
                    pier_facts(study, probe, history, calm, wall, telling(wall.result)), curve);

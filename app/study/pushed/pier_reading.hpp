@@ -6,6 +6,7 @@
 #include "app/study/pushed/pier_facts.hpp"
 #include "app/study/pushed/pier_history.hpp"
 #include "dem/scene/mechanism/piers.hpp"
+#include "dem/scene/wall.hpp"
 
 #include <span>
 #include <string>
@@ -14,6 +15,9 @@
 
 namespace app {
 
+struct FragilityInput;
+struct GeometryInput;
+struct LoadInput;
 struct Study;
 
 struct PushedWall;
@@ -61,14 +65,15 @@ struct PierBalance {
 };
 
 /// Whether the program tells piers apart: openings, and a push that goes one way.
-[[nodiscard]] bool tells_piers(const Study& study);
+[[nodiscard]] bool tells_piers(const dem::WallGeometry& wall, const GeometryInput& geometry,
+                               const LoadInput& load);
 
 /// How piers are read: the rules of their wall, and the codes whose drift limits are told.
 struct PierRules {
     ReadingRules wall;
     std::vector<fragility::Code> codes;
 };
-[[nodiscard]] PierRules pier_rules(const Study& study);
+[[nodiscard]] PierRules pier_rules(const FragilityInput& fragility, ReadingRules rules);
 
 /// The one place where piers are read, of a push or of the file of a study.
 /// @param facts of each of these piers

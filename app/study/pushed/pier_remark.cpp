@@ -1,8 +1,8 @@
 #include "app/study/pushed/pier_remark.hpp"
 
-#include "app/input/keys/limit_state_text.hpp"
-#include "app/input/study/study.hpp"
+#include "app/input/study/geometry_input.hpp"
 #include "app/input/wall/wall_geometry.hpp"
+#include "app/reading/wall_reading.hpp"
 #include "app/study/pushed/wall_openings.hpp"
 #include "app/text/number_text.hpp"
 
@@ -29,26 +29,27 @@ std::optional<Gap> opening_at(const std::vector<dem::DrawnUnit>& units, double z
 }
 
 /// "ntc and ec8"
-std::string codes_of(const Study& study)
+std::string codes_of(const ReadingRules& rules)
 {
     std::string codes;
-    for (const fragility::Code& set : reading_rules(study).sets)
+    for (const fragility::Code& set : rules.sets)
         if (limits_drift(set)) codes += (codes.empty() ? "" : " and ") + set.name;
     return codes;
 }
 
 } // namespace
 
-bool has_piers(const Study& study)
+bool has_piers(const dem::WallGeometry& wall, const GeometryInput& geometry)
 {
-    if (!study.geometry.openings.empty()) return true;
-    if (!is_drawn(study) || study.geometry.rubble) return false;
+    if (!geometry.openings.empty()) return true;
+    if (!is_drawn(geometry) || geometry.rubble) return false;
     constexpr int kHeights = 40;
-    const double rise = wall_height(study) / kHeights, least = least_opening(study);
+    const double rise = wall_height(wall, geometry) / kHeights,
+                 least = least_opening(wall, geometry);
     std::optional<Gap> below;
     int open = 0, upright = 0;
     for (int i = 0; i < kHeights; ++i) {
-        const auto here = opening_at(study.geometry.units, rise * (i + 0.5), least);
+        const auto here = opening_at(geometry.units, rise * (i + 0.5), least);
         open += here.has_value();
         upright += here && below &&
                    std::min(std::abs(here->from - below->from),
@@ -58,19 +59,21 @@ bool has_piers(const Study& study)
     return 3 * upright > open;
 }
 
-std::string pier_remark(const Study& study)
+std::string pier_remark(const ReadingRules& rules, const dem::WallGeometry& wall,
+                        const GeometryInput& geometry)
 {
-    const std::string codes = codes_of(study);
-    if (codes.empty() || !has_piers(study)) return {};
+    const std::string codes = codes_of(rules);
+    if (codes.empty() || !has_piers(wall, geometry)) return {};
     return "the drift limits of " + codes +
            " are those of one pier; this wall has several, and one drift, over " +
-           fixed(study.load.height, 2) +
+           fixed(rules.height, 2) +
            " m, and one mode stand for all of them: check each pier by its own height and mode";
 }
 
-std::string pier_sentence(const Study& study)
+std::string pier_sentence(const ReadingRules& rules, const dem::WallGeometry& wall,
+                          const GeometryInput& geometry)
 {
-    const std::string remark = pier_remark(study);
+    const std::string remark = pier_remark(rules, wall, geometry);
     return remark.empty() ? remark : "T" + remark.substr(1) + ".";
 }
 

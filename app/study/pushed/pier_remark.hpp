@@ -2,12 +2,15 @@
 /// Codes limit the drift of a pier. A wall of several piers has one drift and one mode here,
 /// which is said.
 
+#include "dem/scene/wall.hpp"
+
 #include <string>
 #include <string_view>
 
 namespace app {
 
-struct Study;
+struct GeometryInput;
+struct ReadingRules;
 
 /// Caption of tables of piers.
 inline constexpr std::string_view kPierNumbers =
@@ -26,13 +29,16 @@ inline constexpr std::string_view kSpandrelNumbers =
 /// Whether openings divide the masonry into pieces that stand upright beside each other: walls
 /// with doors or windows, portals, arches on piers. A bare arch leans all the way from its
 /// springing, and has none.
-[[nodiscard]] bool has_piers(const Study& study);
+[[nodiscard]] bool has_piers(const dem::WallGeometry& wall, const GeometryInput& geometry);
 
 /// "the drift limits of ntc are those of one pier: ..."; empty without a code among the limit
 /// states, and of a wall that is one pier. No full stop.
-[[nodiscard]] std::string pier_remark(const Study& study);
+[[nodiscard]] std::string pier_remark(const ReadingRules& rules, const dem::WallGeometry& wall,
+                                      const GeometryInput& geometry);
 
 /// The same as a sentence.
-[[nodiscard]] std::string pier_sentence(const Study& study);
+[[nodiscard]] std::string pier_sentence(const ReadingRules& rules,
+                                        const dem::WallGeometry& wall,
+                                        const GeometryInput& geometry);
 
 } // namespace app

@@ -1,5 +1,6 @@
 #include "app/study/pushed/pier_watch.hpp"
 
+#include "app/input/study/study.hpp"
 #include "app/input/wall/wall_geometry.hpp"
 #include "app/study/pushed/wall_openings.hpp"
 
@@ -11,8 +12,9 @@ namespace app {
 PierWatch::PierWatch(const Study& study, const dem::Layout& layout, dem::PushPlan& plan)
     : study_(study)
 {
-    if (!tells_piers(study)) return;
-    probe_.emplace(layout, dem::piers_of(wall_openings(study), wall_extent(study)));
+    if (!tells_piers(study.wall, study.geometry, study.load)) return;
+    probe_.emplace(layout, dem::piers_of(wall_openings(study.wall, study.geometry),
+                                         wall_extent(study.wall, study.geometry)));
     const double every = plan.snapshot_every;
     plan.snapshot_every = plan.record_every;
     plan.mean_stresses = true;

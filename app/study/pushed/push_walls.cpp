@@ -1,5 +1,6 @@
 #include "app/study/pushed/push_walls.hpp"
 
+#include "app/input/study/study.hpp"
 #include "app/study/pushed/interrupt.hpp"
 #include "app/study/pushed/pier_watch.hpp"
 #include "dem/block/model.hpp"

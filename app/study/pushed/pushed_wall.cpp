@@ -1,6 +1,7 @@
 #include "app/study/pushed/pushed_wall.hpp"
 
 #include "app/input/keys/limit_state_text.hpp"
+#include "app/input/study/study.hpp"
 #include "app/reading/points_error.hpp"
 
 namespace app {
@@ -43,7 +44,7 @@ PushedWall read_wall(const Study& study, int level, dem::PushResult result)
     const ReadingRules rules = reading_rules(study);
     PushedWall w;
     w.vertical_stress = study.load.vertical_stress[level];
-    w.loads = loads(study, level);
+    w.loads = loads(study.load, level);
     w.result = std::move(result);
     if (dem::failed(w.result.outcome)) {
         w.reading = not_read(rules, why_failed(w.result.outcome));
@@ -66,7 +67,7 @@ PushedWall no_wall(const Study& study, int level, const std::string& why)
 {
     PushedWall w;
     w.vertical_stress = study.load.vertical_stress[level];
-    w.loads = loads(study, level);
+    w.loads = loads(study.load, level);
     w.result.outcome = dem::Outcome::no_wall;
     w.reading =
         not_read(reading_rules(study), "no wall can be made of the values drawn: " + why);

@@ -15,19 +15,19 @@ dem::PushPlan bare_plan(const Study& study)
     return plan;
 }
 
-int film_frames(const Study& study)
+int film_frames(const LoadInput& load)
 {
-    if (push_way(study).direction != 0) return kFilmFrames;
-    const auto ways = static_cast<int>(push_plan(study).targets.size());
+    if (push_way(load).direction != 0) return kFilmFrames;
+    const auto ways = static_cast<int>(push_targets(load).size());
     return std::clamp(ways * kFramesOfAWay, kFilmFrames, kMostFilmFrames);
 }
 
-double film_step(const Study& study) { return push_way(study).length / film_frames(study); }
+double film_step(const LoadInput& load) { return push_way(load).length / film_frames(load); }
 
 dem::PushPlan filmed_plan(const Study& study)
 {
     dem::PushPlan plan = bare_plan(study);
-    plan.snapshot_every = film_step(study);
+    plan.snapshot_every = film_step(study.load);
     return plan;
 }
 

@@ -11,6 +11,7 @@
 
 namespace app {
 
+struct LoadInput;
 struct Study;
 
 constexpr int kFilmFrames = 60; ///< evenly over the way, and the wall before the push
@@ -19,8 +20,8 @@ constexpr int kFilmFrames = 60; ///< evenly over the way, and the wall before th
 constexpr int kFramesOfAWay = 8, kMostFilmFrames = 240;
 
 /// Frames of a film after the wall before the push, and the way between two of them [m].
-[[nodiscard]] int film_frames(const Study& study);
-[[nodiscard]] double film_step(const Study& study);
+[[nodiscard]] int film_frames(const LoadInput& load);
+[[nodiscard]] double film_step(const LoadInput& load);
 
 /// A push of a study's wall: readings alone, no pictures.
 [[nodiscard]] dem::PushPlan bare_plan(const Study& study);

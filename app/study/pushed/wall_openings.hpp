@@ -8,7 +8,7 @@
 
 namespace app {
 
-struct Study;
+struct GeometryInput;
 
 /// Gaps between the stones at a height, from left to right [m].
 struct Gap {
@@ -21,10 +21,12 @@ struct Gap {
                                        double least);
 
 /// Width above which a gap is an opening and no joint [m].
-[[nodiscard]] double least_opening(const Study& study);
+[[nodiscard]] double least_opening(const dem::WallGeometry& wall,
+                                   const GeometryInput& geometry);
 
 /// Openings of a wall in courses as they are given. Of a drawn wall the gaps that lie above
 /// each other, each as the rectangle of its mean width. None of rubble.
-[[nodiscard]] std::vector<dem::Opening> wall_openings(const Study& study);
+[[nodiscard]] std::vector<dem::Opening> wall_openings(const dem::WallGeometry& wall,
+                                                      const GeometryInput& geometry);
 
 } // namespace app

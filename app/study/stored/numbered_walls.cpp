@@ -7,16 +7,16 @@
 
 namespace app {
 
-int level_of(const Study& study, const std::string& text)
+int level_of(const LoadInput& load, const std::string& text)
 {
-    const std::vector<double>& all = study.load.vertical_stress;
+    const std::vector<double>& all = load.vertical_stress;
     if (text.empty() && all.size() == 1) return 0;
     if (text.empty())
         throw ConfigError("drystone", 0, "--level",
                           "missing; write one of " + format_quantities(all, "MPa"));
     try {
         const bool bare = text.find_first_not_of("0123456789.") == std::string::npos;
-        return level_at(study, bare ? text + " MPa" : text);
+        return level_at(load, bare ? text + " MPa" : text);
     } catch (const BadValue& bad) {
         throw ConfigError("drystone", 0, "--level", bad.what());
     }
@@ -37,12 +37,12 @@ std::vector<WantedWall> numbered_walls(const PreparedStudy& ready, const WallCho
             "is a distribution, but a push takes numbers; write --sample 0 for the "
             "first wall of the study, --sample mean for that of the means, or --set " +
                 study.random.front().key + "=...");
-    if (has_layouts(study) && !choice.mean)
+    if (has_layouts(study.geometry) && !choice.mean)
         throw error_at(study.source, "wall.layouts",
                        "a push takes one layout; write --sample 0 for the first wall of "
                        "the study, --sample mean for the layout of wall.seed, or --set "
                        "wall.layouts=1");
-    if (!choice.level.empty()) return {{level_of(study, choice.level), {}}};
+    if (!choice.level.empty()) return {{level_of(study.load, choice.level), {}}};
     std::vector<WantedWall> all;
     for (std::size_t i = 0; i < study.load.vertical_stress.size(); ++i)
         all.push_back({static_cast<int>(i), {}});

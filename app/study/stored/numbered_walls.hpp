@@ -10,6 +10,8 @@
 
 namespace app {
 
+struct LoadInput;
+
 /// The wall that a user names.
 struct WallChoice {
     std::optional<int> sample; ///< one wall of a study, >= 0
@@ -19,7 +21,7 @@ struct WallChoice {
 
 /// Index of the level given as text, such as "0.75 MPa"; the only one if the text is empty.
 /// @throws ConfigError about --level
-[[nodiscard]] int level_of(const Study& study, const std::string& text);
+[[nodiscard]] int level_of(const LoadInput& load, const std::string& text);
 
 /// With uq.drawn, the wall that it names. Otherwise the wall of the study's numbers under all
 /// its levels or that of the choice; with `mean`, each distribution stands for its mean.

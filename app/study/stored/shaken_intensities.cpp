@@ -11,30 +11,30 @@
 namespace app {
 namespace {
 
-ground::Measure measure_of(const Study& study)
+ground::Measure measure_of(const ShakingInput& shaking, const StudyFile& source)
 {
     using Kind = ground::MeasureKind;
-    const ground::Measure measure = read_at(study.source, "shaking.measure", [&] {
-        return ground::parse_measure(study.shaking.measure);
-    });
+    const ground::Measure measure = read_at(
+        source, "shaking.measure", [&] { return ground::parse_measure(shaking.measure); });
     if (measure.kind != Kind::pga && measure.kind != Kind::pgv && measure.kind != Kind::sa)
-        throw error_at(study.source, "shaking.measure", "use pga, pgv or sa(0.3 s)");
+        throw error_at(source, "shaking.measure", "use pga, pgv or sa(0.3 s)");
     return measure;
 }
 
-std::vector<double> values_of(const Study& study, const ground::Measure& measure)
+std::vector<double> values_of(const ShakingInput& shaking, const StudyFile& source,
+                              const ground::Measure& measure)
 {
     constexpr const char* kKey = "shaking.intensities";
     std::vector<double> all;
-    if (study.shaking.intensities.empty()) return all;
+    if (shaking.intensities.empty()) return all;
     const std::string unit(measure_unit(measure));
-    for (std::string part : split_outside_brackets(study.shaking.intensities)) {
+    for (std::string part : split_outside_brackets(shaking.intensities)) {
         if (part.ends_with(unit))
             part = std::string(
                 trimmed(std::string_view(part).substr(0, part.size() - unit.size())));
-        const double x = read_at(study.source, kKey, [&] { return parse_quantity(part, ""); });
+        const double x = read_at(source, kKey, [&] { return parse_quantity(part, ""); });
         if (x <= 0.0)
-            throw error_at(study.source, kKey, "must be above 0; write e.g. 0.1, 0.2 " + unit);
+            throw error_at(source, kKey, "must be above 0; write e.g. 0.1, 0.2 " + unit);
         all.push_back(x * measure_unit_value(measure));
     }
     return all;
@@ -42,10 +42,10 @@ std::vector<double> values_of(const Study& study, const ground::Measure& measure
 
 } // namespace
 
-ShakenIntensities shaken_intensities(const Study& study)
+ShakenIntensities shaken_intensities(const ShakingInput& shaking, const StudyFile& source)
 {
-    const ground::Measure measure = measure_of(study);
-    return {measure, values_of(study, measure), study.shaking.scale};
+    const ground::Measure measure = measure_of(shaking, source);
+    return {measure, values_of(shaking, source, measure), shaking.scale};
 }
 
 std::string intensity_head(const ShakenIntensities& all)

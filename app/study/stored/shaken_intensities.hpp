@@ -10,7 +10,8 @@
 
 namespace app {
 
-struct Study;
+struct ShakingInput;
+struct StudyFile;
 
 struct ShakenIntensities {
     ground::Measure measure;
@@ -20,7 +21,8 @@ struct ShakenIntensities {
 
 /// Values are read in the unit in which people read the measure; the unit may follow each.
 /// @throws ConfigError about shaking.measure and shaking.intensities
-[[nodiscard]] ShakenIntensities shaken_intensities(const Study& study);
+[[nodiscard]] ShakenIntensities shaken_intensities(const ShakingInput& shaking,
+                                                   const StudyFile& source);
 
 /// Head of the column that tells them apart: "sa(0.3 s) [g]"; "factor [-]" where records are as
 /// they are.

@@ -122,7 +122,7 @@ StoredHistories read_histories(const std::filesystem::path& file,
     if (!holds_histories(all.head))
         throw BadStoredStudy("'" + file.string() + "' holds no walls that were shaken");
     all.study = stored_study(file, all.head, overrides);
-    all.at = shaken_intensities(all.study);
+    all.at = shaken_intensities(all.study.shaking, all.study.source);
     for (const std::string& line : record_lines(all.head.identity))
         all.records.push_back(record_name(line));
     const HistoryPlaces places = places_of(file, all.head);

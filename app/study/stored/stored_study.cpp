@@ -42,12 +42,11 @@ bool same_stress(double a, double b)
     return std::abs(a - b) <= kRounding * std::max(std::abs(a), std::abs(b));
 }
 
-bool same_walls(const StoreHead& head, const Study& study)
+bool same_walls(const StoreHead& head, const LoadInput& load, const UqInput& uq)
 {
-    return head.seed == study.uq.seed &&
+    return head.seed == uq.seed &&
            std::ranges::equal(std::span(head.levels).first(own_levels(head)),
-                              study.load.vertical_stress, same_stress,
-                              &StoreLevel::vertical_stress);
+                              load.vertical_stress, same_stress, &StoreLevel::vertical_stress);
 }
 
 constexpr const char* kNotOfWalls = "its configuration is not that of its walls";
@@ -55,7 +54,7 @@ constexpr const char* kNotOfWalls = "its configuration is not that of its walls"
 void check_configuration(const std::filesystem::path& file, const StoreHead& head,
                          const Study& study)
 {
-    if (!same_walls(head, study))
+    if (!same_walls(head, study.load, study.uq))
         damaged(file, kNotOfWalls + std::string(", which have another seed or other stresses"));
     const std::string own = identity_text(study);
     if (solver_revision(head.identity) != solver_revision(own))

@@ -1,5 +1,6 @@
 #include "app/study/stored/study_file_head.hpp"
 
+#include "app/input/study/study.hpp"
 #include "app/input/study_reading.hpp"
 #include "app/input/wall/random_layouts.hpp"
 #include "app/store/continued_head.hpp"
@@ -16,9 +17,10 @@
 
 namespace app {
 
-std::uint32_t samples_of(const Study& study)
+std::uint32_t samples_of(const GeometryInput& geometry, const UqInput& uq,
+                         const std::vector<RandomInput>& random)
 {
-    return is_random(study) ? static_cast<std::uint32_t>(study.uq.samples) : 1u;
+    return is_random(geometry, random) ? static_cast<std::uint32_t>(uq.samples) : 1u;
 }
 
 void check_is_study(const std::filesystem::path& file)
@@ -29,13 +31,15 @@ void check_is_study(const std::filesystem::path& file)
             "is not the file of a study; give the FILE.h5 that drystone study wrote");
 }
 
-std::vector<std::uint32_t> design_sizes(const Study& study, const std::filesystem::path& file)
+std::vector<std::uint32_t> design_sizes(const GeometryInput& geometry, const UqInput& uq,
+                                        const std::vector<RandomInput>& random,
+                                        const std::filesystem::path& file)
 {
-    const std::uint32_t samples = samples_of(study);
+    const std::uint32_t samples = samples_of(geometry, uq, random);
     std::vector<std::uint32_t> sizes;
     if (std::filesystem::exists(file)) sizes = read_head(file).design_sizes;
     if (sizes.empty() || samples > sizes.back()) sizes.push_back(samples);
-    const bool rule = study.uq.stop != kNoStop;
+    const bool rule = uq.stop != kNoStop;
     if (!rule && samples < sizes.back())
         sizes = {samples}; // fewer than there are: refused later
     return sizes;
@@ -59,7 +63,7 @@ StoreHead head_of(const Study& study, const dem::Layout& layout, const SamplePla
     head.identity = identity_text(study);
     for (const double stress : study.load.vertical_stress)
         head.levels.push_back({stress, sizes.back()});
-    if (pushes_both_ways(study, layout))
+    if (pushes_both_ways(study.geometry, study.load, study.source, layout))
         for (const double stress : study.load.vertical_stress)
             head.levels.push_back({stress, sizes.back(), 1, true});
     const auto audit = std::min<std::uint32_t>(sizes.back(), study.uq.audit);
@@ -71,8 +75,8 @@ StoreHead head_of(const Study& study, const dem::Layout& layout, const SamplePla
     head.responses = response_columns();
     head.counts = count_columns();
     head.cost = cost_columns();
-    head.piers = stored_piers_of(study);
-    head.spandrels = stored_spandrels_of(study);
+    head.piers = stored_piers_of(study.wall, study.geometry, study.load);
+    head.spandrels = stored_spandrels_of(study.wall, study.geometry, study.load);
     head.single_precision_curves = study.output.single_precision_curves;
     return head;
 }

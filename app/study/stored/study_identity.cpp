@@ -57,8 +57,9 @@ std::string with_short_numbers(const std::string& text)
 
 std::string value_of(const Key& key, const Study& study)
 {
-    if (key.name == "wall.outlines" && is_drawn(study)) return outlines_mark(study);
-    if (is_together(study, key.name)) // in the order of the rows
+    if (key.name == "wall.outlines" && is_drawn(study.geometry))
+        return outlines_mark(study.geometry);
+    if (is_together(study.uq, key.name)) // in the order of the rows
         return with_short_numbers(find_entry(study.source, key.name)->value);
     const bool random = std::ranges::count(study.random, key.name, &RandomInput::key) > 0;
     const bool named = key.name == "wall.layer_stones"; // layers can have numbers for names
@@ -82,13 +83,14 @@ std::string identity_text(const Study& study)
         if (section == "reliability" || section == "calibration" ||
             (section == "fragility" && !stored))
             continue;
-        if (is_drawn(study) && says_how_a_file_is_read(key))
+        if (is_drawn(study.geometry) && says_how_a_file_is_read(key))
             continue; // its outlines stand for it
         const std::string value = value_of(key, study);
         if (!value.empty()) text += std::string(key.name) + " = " + value + "\n";
     }
-    const bool moved_toe = study.load.direction != Direction::left && in_courses(study) &&
-                           study.wall.toe == dem::Toe::held && study.wall.toe_at_left;
+    const bool moved_toe = study.load.direction != Direction::left &&
+                           in_courses(study.geometry) && study.wall.toe == dem::Toe::held &&
+                           study.wall.toe_at_left;
     return moved_toe ? text + "wall.toe_at_left = yes\n" : text;
 }
 

@@ -158,10 +158,10 @@ void join_ways(StudyWalls& walls, std::map<WallKey, StudyWall>&& own,
 }
 
 /// As prescribed.
-void add_marginals(const Study& study, std::vector<StoredInput>& inputs)
+void add_marginals(const std::vector<RandomInput>& given, std::vector<StoredInput>& inputs)
 {
     for (StoredInput& input : inputs)
-        for (const RandomInput& random : study.random)
+        for (const RandomInput& random : given)
             if (random.key == input.key) input.marginal = random.marginal;
 }
 
@@ -180,14 +180,14 @@ StudyWalls study_of(const std::filesystem::path& file, const StoreHead& head,
     walls.rules = reading_rules(walls.study);
     walls.piers = piers_of(head.piers);
     walls.spandrels = spandrels_of(head.spandrels);
-    if (!walls.piers.empty()) walls.pier_rules = pier_rules(walls.study);
+    if (!walls.piers.empty()) walls.pier_rules = pier_rules(walls.study.fragility, walls.rules);
     walls.rules.by_piers = !walls.piers.empty();
     walls.states = state_names(walls.rules);
     walls.inputs = stored_inputs(head.inputs);
-    add_marginals(walls.study, walls.inputs);
+    add_marginals(walls.study.random, walls.inputs);
     walls.height = walls.rules.height;
     walls.pushed_one_way = walls.rules.direction != 0;
-    walls.step = push_way(walls.study).farthest / static_cast<double>(kCurveSteps);
+    walls.step = push_way(walls.study.load).farthest / static_cast<double>(kCurveSteps);
     walls.shared = walls.study.uq.shared && own_levels(head) > 1;
     for (std::uint32_t l = 0; l < own_levels(head); ++l)
         walls.levels.push_back({head.levels[l].vertical_stress, {}, {}, 0});

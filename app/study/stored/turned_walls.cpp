@@ -86,8 +86,9 @@ std::string other_way_remark(const StudyWalls& walls)
 {
     const Study& study = walls.study;
     if (has_turned(walls.head)) return both_ways_remark(walls);
-    if (has_layouts(study) || !has_other_way(study, lay_again(study).layout)) return "";
-    const int direction = push_way(study).direction;
+    if (has_layouts(study.geometry) || !has_other_way(study.load, lay_again(study).layout))
+        return "";
+    const int direction = push_way(study.load).direction;
     return std::string("The wall is not symmetric, and all walls were pushed to the ") +
            way_name(direction) + "; to the " + way_name(-direction) +
            " they may carry less: drystone push " + (walls.shard ? "FILE.h5" : walls.name) +

@@ -121,7 +121,8 @@ TEST_CASE("calibration: walls that are pushed again keep the correlation of the 
         study_of("inputs = joint.friction_angle\n",
                  "samples = 25\npearson = unit.tensile_strength unit.friction_angle 0.9\n"));
     const app::CalibratedInputs inputs = app::calibrated_inputs(ready.study);
-    const uq::SpatialPlan others = app::value_plan(ready.study, ready.layout, false);
+    const uq::SpatialPlan others = app::value_plan(ready.study.uq, ready.study.random,
+                                                   ready.study.source, ready.layout, false);
     const auto place = [&](const char* key) {
         return static_cast<std::size_t>(
             std::ranges::find(ready.study.random, key, &app::RandomInput::key) -
@@ -157,7 +158,8 @@ TEST_CASE("calibration: walls that are pushed again keep the rows of uq.together
                             "together = joint.friction_angle, joint.stiffness_factor\n"
                             "[calibration]\ninputs = unit.tensile_strength\n")));
     const app::CalibratedInputs inputs = app::calibrated_inputs(ready.study);
-    const uq::SpatialPlan others = app::value_plan(ready.study, ready.layout, false);
+    const uq::SpatialPlan others = app::value_plan(ready.study.uq, ready.study.random,
+                                                   ready.study.source, ready.layout, false);
     const Eigen::VectorXd u = Eigen::VectorXd::Constant(1, 0.5);
     std::set<double> seen;
     for (int row = 0; row < 50; ++row) {

@@ -121,8 +121,9 @@ TEST_CASE(
     "[app][fragility_states]")
 {
     const auto remark = [](const std::string& wall, const std::string& states) {
-        return app::pier_remark(study_scenes::study(
-            "samples = 1\n[fragility]\nlimit_states = " + states + "\n[wall]\n" + wall));
+        const app::Study study = study_scenes::study(
+            "samples = 1\n[fragility]\nlimit_states = " + states + "\n[wall]\n" + wall);
+        return app::pier_remark(app::reading_rules(study), study.wall, study.geometry);
     };
     const std::string window = "openings = 0.2 m, 0.1 m, 0.2 m, 0.1 m";
     CHECK(remark("", "paper, ntc").empty());
@@ -144,13 +145,13 @@ TEST_CASE("fragility states: a drawn wall has several piers where its stones lea
     app::Study study;
     study.geometry.units = {box(0.0, 0.0, 0.2, 0.3), box(0.4, 0.0, 0.6, 0.3),
                             box(0.0, 0.3, 0.6, 0.4)};
-    CHECK(app::has_piers(study));
+    CHECK(app::has_piers(study.wall, study.geometry));
     study.geometry.units[1] = box(0.2, 0.0, 0.6, 0.3);
-    CHECK_FALSE(app::has_piers(study));
+    CHECK_FALSE(app::has_piers(study.wall, study.geometry));
     study.geometry.units[1] = box(0.21, 0.0, 0.6, 0.3); // a joint of mortar
-    CHECK_FALSE(app::has_piers(study));
+    CHECK_FALSE(app::has_piers(study.wall, study.geometry));
     study.geometry.units = {box(0.0, 0.0, 0.6, 0.3), box(0.0, 0.3, 0.3, 0.4)}; // a step
-    CHECK_FALSE(app::has_piers(study));
+    CHECK_FALSE(app::has_piers(study.wall, study.geometry));
 }
 
 TEST_CASE("fragility states: an arch has piers where it stands on some",
@@ -174,7 +175,7 @@ TEST_CASE("fragility states: an arch has piers where it stands on some",
     const double thickness = GENERATE(0.12, 0.4);
     app::Study study;
     study.geometry.units = arch(stones, thickness, 0.0);
-    CHECK_FALSE(app::has_piers(study));
+    CHECK_FALSE(app::has_piers(study.wall, study.geometry));
 
     study.geometry.units = arch(stones, thickness, 0.8);
     for (const double x : {0.3, 2.3}) {
@@ -183,5 +184,5 @@ TEST_CASE("fragility states: an arch has piers where it stands on some",
         pier.outline = {{x - half, 0.0}, {x + half, 0.0}, {x + half, 0.8}, {x - half, 0.8}};
         study.geometry.units.push_back(pier);
     }
-    CHECK(app::has_piers(study));
+    CHECK(app::has_piers(study.wall, study.geometry));
 }

@@ -1,6 +1,7 @@
 /// Labels in pictures of curves: none covers another, a curve, a mark or the frame.
 
 #include "app/input/keys/limit_state_text.hpp"
+#include "app/input/study/study.hpp"
 #include "app/input/study/study_file.hpp"
 #include "app/input/study_reading.hpp"
 #include "app/input/wall/wall_geometry.hpp"
@@ -38,7 +39,7 @@ double wavy(double x) { return ductile(x) * (0.85 + 0.15 * std::sin(60.0 * x)); 
 app::PushedWall wall_of(const app::Study& study, const Shape& shape, double first)
 {
     constexpr int kPoints = 300;
-    const double way = app::push_way(study).direction < 0 ? -1.0 : 1.0,
+    const double way = app::push_way(study.load).direction < 0 ? -1.0 : 1.0,
                  most = 0.03 * study.load.height, force = 50e3;
     app::PushedWall w;
     w.vertical_stress = 5e5;
@@ -110,6 +111,7 @@ TEST_CASE("chart labels: of any shipped study with eight limit states none cover
     std::size_t numbered = 0;
     for (const fs::path& file : shipped_studies()) {
         const app::Study study = app::read_study(file.string(), codes);
+        const app::ReadingRules rules = app::reading_rules(study);
         for (const Shape& shape :
              {Shape(ductile), Shape(falls_at_once), Shape(falls_slowly), Shape(wavy)})
             for (const double first : {0.0, 0.1}) {
@@ -118,8 +120,8 @@ TEST_CASE("chart labels: of any shipped study with eight limit states none cover
                 INFO(file.filename().string() << ", the first at " << first);
                 for (const bool both : {true, false}) {
                     if (!both) w.other_way.clear();
-                    CHECK(covered(app::capacity_chart(study, w)) == "");
-                    const Chart small = app::sheet_curve(study, w);
+                    CHECK(covered(app::capacity_chart(rules, w)) == "");
+                    const Chart small = app::sheet_curve(rules, w);
                     CHECK(covered(small) == "");
                     numbered += app::lay_out_chart(small).vertical.front().number > 0 ? 1 : 0;
                 }
@@ -137,7 +139,7 @@ TEST_CASE("chart labels: a sheet with many limit states gives most of its plot t
                                                  "ec8_secondary, collapse"});
     for (const Shape& shape : {Shape(ductile), Shape(falls_slowly)}) {
         const app::PushedWall w = wall_of(study, shape, 0.0);
-        const Chart chart = app::sheet_curve(study, w);
+        const Chart chart = app::sheet_curve(app::reading_rules(study), w);
         const ChartFrame f = app::lay_out_chart(chart);
         REQUIRE(f.legend.back().number >= 8);
         CHECK(f.y.high < 1.5 * 1e-3 * peak_force(w.reading));

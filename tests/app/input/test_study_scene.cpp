@@ -33,7 +33,7 @@ TEST_CASE("study: the shipped moduli give the joint stiffness of Eq. 2 at every 
         const dem::JointMaterial joint = study_texts::joint_material(study, level);
         CHECK(std::abs(joint.kn - kn[level]) <= 0.005e9); // printed with two decimals
         CHECK(joint.ks == joint.kn / 2.4);
-        CHECK(app::loads(study, level).vertical_stress == stress[level]);
+        CHECK(app::loads(study.load, level).vertical_stress == stress[level]);
     }
 }
 
@@ -167,7 +167,7 @@ TEST_CASE("study: a force against the push at its beginning does not end it", "[
 TEST_CASE("study: a push to the left in two parts goes one way", "[app][study]")
 {
     const app::Study study = read_good({"load.targets=-5, -10 mm", "load.stop_below=0.5"});
-    CHECK(app::push_way(study).direction == -1);
+    CHECK(app::push_way(study.load).direction == -1);
     std::vector<dem::CurvePoint> curve(3);
     curve[1].force = -100.0;
     curve[2].force = -49.0; // a push to and fro would go on
@@ -185,8 +185,8 @@ TEST_CASE("study: amplitudes and protocols become displacements to visit", "[app
     CHECK(cycles.targets.back() == 0.0);
     const app::Study fema = read_good({"load.protocol=fema461", "load.max_displacement=20 mm"});
     CHECK(app::push_plan(fema).targets.size() == 41);
-    CHECK(app::push_way(fema).farthest == Approx(0.020));
-    CHECK(app::push_way(fema).direction == 0);
+    CHECK(app::push_way(fema.load).farthest == Approx(0.020));
+    CHECK(app::push_way(fema.load).direction == 0);
 }
 
 TEST_CASE("study: stop_below ends a push to and fro once a whole cycle is weak on both sides",
@@ -225,7 +225,7 @@ TEST_CASE("study: stop_below ends a push to and fro once a whole cycle is weak o
 
 TEST_CASE("study: loads carry the height of the load and gravity", "[app][study]")
 {
-    const dem::Loads loads = app::loads(read(study_texts::kEverything), 0);
+    const dem::Loads loads = app::loads(read(study_texts::kEverything).load, 0);
     CHECK(loads.vertical_stress == 150e3);
     CHECK(loads.height == 1.3);
     CHECK(loads.gravity == 9.80665);

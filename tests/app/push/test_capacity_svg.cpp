@@ -42,7 +42,7 @@ app::PushedWall wall(const app::Study& s, std::vector<double> mm, std::vector<do
 
 std::vector<std::string> texts(const app::Study& s, const app::PushedWall& w)
 {
-    return scenes::texts(scenes::parse_xml(app::capacity_svg(s, w)));
+    return scenes::texts(scenes::parse_xml(app::capacity_svg(app::reading_rules(s), w)));
 }
 
 bool any(const std::vector<std::string>& all, const std::string& part)

@@ -38,7 +38,7 @@ TEST_CASE("direction: left mirrors every displacement and the toe that is held",
           "[app][direction]")
 {
     const app::Study left = with({"load.direction=left"}, {});
-    CHECK(app::push_way(left).direction == -1);
+    CHECK(app::push_way(left.load).direction == -1);
     CHECK(app::push_plan(left).targets == std::vector{-1e-3});
     const dem::Layout layout = layout_of(left);
     CHECK(std::ranges::count(layout.blocks, dem::Motion::held_left_corner,
@@ -47,7 +47,7 @@ TEST_CASE("direction: left mirrors every displacement and the toe that is held",
     const app::Study cycles = with({"load.direction=left", "load.amplitudes=1 mm"}, {});
     CHECK(app::push_plan(cycles).targets == std::vector{-1e-3, 1e-3, 0.0});
     const app::Study back = with({"load.direction=left", "load.targets=-1 mm"}, {});
-    CHECK(app::push_way(back).direction == 1);
+    CHECK(app::push_way(back.load).direction == 1);
     CHECK_FALSE(back.wall.toe_at_left);
 }
 
@@ -72,9 +72,9 @@ TEST_CASE(
     "direction: both is worked out where the mirrored wall is another one, and nowhere else",
     "[app][direction]")
 {
-    CHECK(app::has_other_way(with(kDoor, {}), layout_of(with(kDoor, {}))));
+    CHECK(app::has_other_way(with(kDoor, {}).load, layout_of(with(kDoor, {}))));
     const app::Study symmetric = with({"load.direction=both"}, {});
-    CHECK_FALSE(app::has_other_way(symmetric, layout_of(symmetric)));
+    CHECK_FALSE(app::has_other_way(symmetric.load, layout_of(symmetric)));
 }
 
 TEST_CASE("direction: the worse of both is taken number by number, and says which it was",
@@ -89,7 +89,7 @@ TEST_CASE("direction: the worse of both is taken number by number, and says whic
     wall.reading.limits = {at(0.02), at(0.01), at(0.005)};
     wall.reading.mode = dem::FailureMode::rocking;
     CHECK(peak_force(app::worse_way(wall)) == 80e3);
-    CHECK(app::worse_way_name(study, wall, 0) == "right");
+    CHECK(app::worse_way_name(1, wall, 0) == "right");
     app::PushedWall other = wall;
     other.reading.peak->force = 50e3;
     other.reading.limits = {at(0.015), at(0.02), at(0.005)};
@@ -102,9 +102,9 @@ TEST_CASE("direction: the worse of both is taken number by number, and says whic
     CHECK(worse.mode_so_far);
     CHECK(worse.limits[0].displacement == 0.015);
     CHECK(worse.limits[1].displacement == 0.01);
-    CHECK(app::worse_way_name(study, wall, 0) == "left");
-    CHECK(app::worse_way_name(study, wall, 1) == "right");
-    CHECK(app::worse_way_name(study, wall, 2) == "both");
+    CHECK(app::worse_way_name(1, wall, 0) == "left");
+    CHECK(app::worse_way_name(1, wall, 1) == "right");
+    CHECK(app::worse_way_name(1, wall, 2) == "both");
 }
 
 TEST_CASE("direction: right is no part of a study's identity, left and a toe at the left are",

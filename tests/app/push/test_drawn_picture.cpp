@@ -40,7 +40,7 @@ TEST_CASE(
     REQUIRE(layout.n_joints > layout.n_cracks);
     draw.values[0].back() = 0.75;
     draw.values[1][0] = 3.0e6;
-    const std::string picture = app::drawn_picture(study, layout, draw);
+    const std::string picture = app::drawn_picture(study.random, layout, draw);
     for (const char* const words : {"joint.friction_angle [deg]", "unit.tensile_strength [MPa]",
                                     "14.3", "43", "mean 3.6"})
         CHECK(picture.find(words) != std::string::npos);
@@ -62,5 +62,5 @@ TEST_CASE("drawn picture: a wall with one value for each input has none",
           "[app][push][drawn_picture]")
 {
     const app::Study study = spatial_study();
-    CHECK(app::drawn_picture(study, app::layout_of(study), {{{0.5}, {3.7e6}}}).empty());
+    CHECK(app::drawn_picture(study.random, app::layout_of(study), {{{0.5}, {3.7e6}}}).empty());
 }

@@ -171,7 +171,8 @@ void check_cuts(const Study& study)
     REQUIRE(p.shots.size() > 100);
     const dem::Layout layout = layout_of(study);
     const dem::PierProbe probe(layout,
-                               dem::piers_of(app::wall_openings(study), wall_extent(study)));
+                               dem::piers_of(app::wall_openings(study.wall, study.geometry),
+                                             wall_extent(study.wall, study.geometry)));
     const std::vector<CutPier> piers = cut_piers(study, layout, probe.piers());
     const app::PierHistory whole = calm_history(study, probe, p.shots);
     std::vector<app::PierHistory> cuts;
@@ -199,7 +200,7 @@ void check_cuts(const Study& study)
     const auto peak = std::ranges::max_element(
         whole, {}, [](const app::PierInstant& now) { return std::abs(now.force); });
     check(static_cast<std::size_t>(peak - whole.begin()), "peak");
-    const double way = push_way(study).direction;
+    const double way = push_way(study.load).direction;
     for (std::size_t i = 0; i < piers.size(); ++i) {
         CHECK(p.wall.piers.at(i).facts.normal_at_peak == peak->piers[i].force.normal);
         CHECK(p.wall.piers.at(i).facts.shear_at_peak == way * peak->piers[i].force.shear);

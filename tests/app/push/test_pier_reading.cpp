@@ -162,14 +162,16 @@ TEST_CASE("pier reading: the wall's limit is where the first pier reaches its ow
           Approx(pier.caps.front().wall.displacement).epsilon(1e-9));
     // By the height of the whole wall it would be 1 or 0.5 % of 0.7 m.
     CHECK(pier.caps.front().wall.displacement < 0.005 * study.load.height * 1.4);
-    CHECK(app::limit_table(study, {wall}).rows.size() == 4);
-    CHECK(app::pier_table(study, {wall}).rows.size() == 3);
-    CHECK(app::pier_limit_table(study, {wall}).rows.size() == 12);
-    CHECK(app::spandrel_table(study, {wall}).rows.size() == 2);
-    REQUIRE(app::piers_remarks(study, wall).size() == 1);
-    CHECK(app::piers_remarks(study, wall).front().find("pier " + std::to_string(first)) !=
+    const app::ReadingRules rules = app::reading_rules(study);
+    CHECK(app::limit_table(rules, {wall}).rows.size() == 4);
+    CHECK(app::pier_table(rules, {wall}).rows.size() == 3);
+    CHECK(app::pier_limit_table(rules, {wall}).rows.size() == 12);
+    CHECK(app::spandrel_table(rules, {wall}).rows.size() == 2);
+    REQUIRE(app::piers_remarks(rules, wall).size() == 1);
+    CHECK(app::piers_remarks(rules, wall).front().find("pier " + std::to_string(first)) !=
           std::string::npos);
-    const std::string picture = app::pier_picture(study, app::layout_of(study), wall);
+    const std::string picture =
+        app::pier_picture(study.wall, study.geometry, study.load, app::layout_of(study), wall);
     for (const char* const text : {"pier 1", "pier 3", " kN"})
         CHECK(picture.find(text) != std::string::npos);
 }
@@ -217,13 +219,13 @@ TEST_CASE("pier reading: openings of a drawing are found where its stones leave 
         study_texts::read(study_texts::kSmallWall,
                           {"wall.outlines=" + outlines, "wall.length=", "wall.courses=",
                            "wall.course_height=", "wall.unit_length=", "wall.unit_cracks="});
-    const auto openings = app::wall_openings(study);
+    const auto openings = app::wall_openings(study.wall, study.geometry);
     REQUIRE(openings.size() == 1);
     CHECK(openings[0].x == Approx(0.2).margin(0.005));
     CHECK(openings[0].width == Approx(0.6).margin(0.005));
     CHECK(openings[0].z == Approx(0.0).margin(0.005));
     CHECK(openings[0].height == Approx(0.6).margin(0.005));
-    CHECK(app::tells_piers(study));
+    CHECK(app::tells_piers(study.wall, study.geometry, study.load));
 }
 
 TEST_CASE(
@@ -275,8 +277,10 @@ TEST_CASE("pier reading: a pier that keeps its shear has a mode so far and no dr
     idle.most_shear = 100.0;
     const dem::Pier pier{{0.0, 0.0, 0.5, 0.5}, 0.25, 1};
     const std::vector<double> x{0.0, 1e-3, 2e-3}, f{0.0, 40e3, 39e3};
-    const auto read = app::read_piers(app::pier_rules(with(kAlone)), std::vector(4, pier),
-                                      std::vector{keeps, falls, still, idle}, {x, f});
+    const app::Study alone = with(kAlone);
+    const auto read =
+        app::read_piers(app::pier_rules(alone.fragility, app::reading_rules(alone)),
+                        std::vector(4, pier), std::vector{keeps, falls, still, idle}, {x, f});
     CHECK(mode_text(read[0]) == "rocking so far");
     CHECK(app::is_so_far(mode_text(read[0])));
     CHECK(is_censored(read[0].own.ultimate));

@@ -449,7 +449,8 @@ TEST_CASE("summary: the table of levels has the same numbers", "[app][summary_js
     w.result.solver_error = 0.004;
     w.result.residual = 3e-5;
     const Json j = summary(w);
-    const app::PlainTable t = app::plain(app::level_table(study_texts::read_good(), {w}));
+    const app::Study study = study_texts::read_good();
+    const app::PlainTable t = app::plain(app::level_table(study.load, study.fragility, {w}));
     int same = 0;
     for (const app::WallNumber& n : app::kWallNumbers) {
         const auto at = std::ranges::find(t.head, app::head_text(n));

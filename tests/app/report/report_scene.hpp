@@ -20,7 +20,8 @@ inline void run_study(const std::filesystem::path& file, const std::string& uq,
 {
     const app::Study study = study_scenes::study(uq);
     const dem::Model model = app::model_of(app::prepare(study));
-    const std::vector<std::uint32_t> sizes = {app::samples_of(study)};
+    const std::vector<std::uint32_t> sizes = {
+        app::samples_of(study.geometry, study.uq, study.random)};
     const app::SamplePlan plan = sample_plan(study, model.layout, sizes);
     app::StoreHead head = head_of(study, model.layout, plan, sizes);
     head.sessions = {

@@ -46,7 +46,7 @@ Study layouts(const std::vector<std::string>& more, const char* bond = "wall.bon
 void run(const app::PreparedStudy& ready, const std::filesystem::path& file, int threads)
 {
     const Study& s = ready.study;
-    const std::vector<std::uint32_t> sizes = {app::samples_of(s)};
+    const std::vector<std::uint32_t> sizes = {app::samples_of(s.geometry, s.uq, s.random)};
     const app::SamplePlan plan = sample_plan(s, ready.layout, sizes);
     app::Store store(file, app::head_of(s, ready.layout, plan, sizes));
     app::run_walls(ready, plan, pending_walls(store, {}, false), threads, store, {});
@@ -102,8 +102,8 @@ TEST_CASE("random layouts: lengths of units alone make samples, the same under e
         more.emplace_back(fixed);
     const Study s = layouts(more, "wall.bond=running");
     CHECK(s.random.empty());
-    CHECK(app::is_random(s));
-    CHECK(app::samples_of(s) == 5);
+    CHECK(app::is_random(s.geometry, s.random));
+    CHECK(app::samples_of(s.geometry, s.uq, s.random) == 5);
     const std::vector<app::WallRow> rows = rows_of(app::prepare(s), 2);
     REQUIRE(rows.size() == 10);
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<double>> forces;
@@ -206,6 +206,7 @@ TEST_CASE("random layouts: what has no meaning across layouts is refused",
         Contains("unit.cracks_where") && Contains("one layout"));
     CHECK_THROWS_WITH(layouts({"wall.layouts=3"}, "wall.bond=stack"),
                       Contains("no layout is drawn at random"));
-    CHECK_THROWS_WITH(app::refuse_layouts(layouts({"wall.layouts=3"})), Contains("write 1"));
-    CHECK_NOTHROW(app::refuse_layouts(layouts({})));
+    const app::Study three = layouts({"wall.layouts=3"}), one = layouts({});
+    CHECK_THROWS_WITH(app::refuse_layouts(three.geometry, three.source), Contains("write 1"));
+    CHECK_NOTHROW(app::refuse_layouts(one.geometry, one.source));
 }

@@ -26,7 +26,7 @@ TEST_CASE(
     REQUIRE_FALSE(study.pushed_one_way);
     const app::WallList walls = app::walls_to_list(study, 100);
     const auto loops = app::loops_json(study, walls);
-    const int frames = app::film_frames(study.study);
+    const int frames = app::film_frames(study.study.load);
     CHECK(frames == app::kFilmFrames); // five ways
     CHECK(loops["points"] == frames * app::kLoopPoints + 1);
     REQUIRE(loops["counts"].size() == walls.size());
@@ -55,9 +55,9 @@ TEST_CASE("report cycles: a film goes through every cycle, to both sides and bac
     const auto frames =
         app::frames_of(dem::push(model,
                                  app::materials(study.parameters, study.wall.course_height,
-                                                app::stress_level(study, 0), model.layout),
+                                                app::stress_level(study.load, 0), model.layout),
                                  app::filmed_plan(study), study.solver));
-    CHECK(static_cast<int>(frames.size()) == app::film_frames(study) + 1);
+    CHECK(static_cast<int>(frames.size()) == app::film_frames(study.load) + 1);
     std::vector<double> turns = {0.0}; // displacements where it turns back
     for (std::size_t i = 1; i + 1 < frames.size(); ++i) {
         const double before = frames[i].displacement - frames[i - 1].displacement,
@@ -68,7 +68,7 @@ TEST_CASE("report cycles: a film goes through every cycle, to both sides and bac
     const std::vector<double> visited = {0.0, 1e-3, -1e-3, 2e-3, -2e-3, 0.0};
     REQUIRE(turns.size() == visited.size());
     for (std::size_t i = 0; i < turns.size(); ++i)
-        CHECK(turns[i] == Approx(visited[i]).margin(1.01 * app::film_step(study)));
+        CHECK(turns[i] == Approx(visited[i]).margin(1.01 * app::film_step(study.load)));
 }
 
 TEST_CASE("report cycles: a push one way has no loops", "[app][report_cycles]")

@@ -130,7 +130,8 @@ TEST_CASE("shake command: intensities scale each record by the measure", "[app][
                                  "records = half_sine(peak 0.5 g, duration 0.3 s), "
                                  "sine(peak 1 g, period 0.3 s)\nintensities = 0.1, 0.2 g\n")))
             .study;
-    const std::vector<app::ShakingMotion> motions = app::shaking_motions(study);
+    const std::vector<app::ShakingMotion> motions =
+        app::shaking_motions(study.shaking, study.source);
     REQUIRE(motions.size() == 4);
     double peak = 0.0;
     for (const double a : motions[3].horizontal.acceleration)

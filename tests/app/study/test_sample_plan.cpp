@@ -170,7 +170,7 @@ TEST_CASE("sample plan: values that follow from random ones follow their draw",
             CHECK(
                 w.joints[k].kn ==
                 Approx(d.values[1][at] * app::joint_material(s.parameters, s.wall.course_height,
-                                                             app::stress_level(s, 0))
+                                                             app::stress_level(s.load, 0))
                                              .kn)
                     .epsilon(1e-14));
         }

@@ -35,7 +35,7 @@ Ran run(const Study& s, int threads = 2)
     const scenes::TemporaryFolder folder;
     const fs::path file = folder.path / "study.h5";
     Ran r{app::model_of(app::prepare(s)), {}, {}};
-    const std::vector<std::uint32_t> sizes = {app::samples_of(s)};
+    const std::vector<std::uint32_t> sizes = {app::samples_of(s.geometry, s.uq, s.random)};
     r.plan = sample_plan(s, r.model.layout, sizes);
     app::Store store(file, app::head_of(s, r.model.layout, r.plan, sizes));
     app::run_walls(app::prepare(s), r.plan, pending_walls(store, {}, false), threads, store,
