@@ -190,6 +190,31 @@ std::string line_name(const Compared& c)
     return std::isnan(c.stress) ? c.name : c.name + ", " + stress_text(c.stress);
 }
 
+/// Whether the path turns back by more than noise of a measured displacement does.
+bool goes_to_and_fro(const Compared& c)
+{
+    constexpr double kNoise = 0.05; // of the farthest displacement, a free choice
+    double farthest = 0.0, least = 0.0, most = 0.0, back_from_most = 0.0, back_from_least = 0.0;
+    for (const double u : c.displacement) {
+        farthest = std::max(farthest, std::abs(u));
+        least = std::min(least, u);
+        most = std::max(most, u);
+        back_from_most = std::max(back_from_most, most - u);
+        back_from_least = std::max(back_from_least, u - least);
+    }
+    return std::min(back_from_most, back_from_least) > kNoise * farthest;
+}
+
+/// Of the horizontal force along the whole path [J].
+double work_of(const Compared& c)
+{
+    double work = 0.0;
+    for (std::size_t i = 1; i < c.force.size(); ++i)
+        work +=
+            0.5 * (c.force[i - 1] + c.force[i]) * (c.displacement[i] - c.displacement[i - 1]);
+    return work;
+}
+
 /// The wall to whose peak another is related.
 const Compared& reference(const std::vector<Compared>& all, const Compared& c)
 {
@@ -234,11 +259,19 @@ Table compared_table(const std::vector<Compared>& all)
               number_head(wall_number("secant_stiffness"), kError),
               number_head(wall_number("ultimate_displacement"), kInterval | kCensored),
               number_head(wall_number("ultimate_drift"), kInterval | kCensored),
-              "mode",
-              "peak to the first [%]"};
+              "mode"};
+    const bool cyclic = std::ranges::any_of(all, goes_to_and_fro);
+    if (cyclic) {
+        t.caption +=
+            " Work: of the horizontal force along the whole path, which cycles take up.";
+        t.head.emplace_back("work [J]");
+    }
+    t.head.emplace_back("peak to the first [%]");
     for (const Compared& c : all) {
         const double base = reference(all, c).peak;
         Row row = joined({c.name}, c.cells);
+        if (cyclic)
+            row.emplace_back(goes_to_and_fro(c) ? plain_number(work_of(c), 0) : Number{});
         row.emplace_back(std::isfinite(c.peak) && base > 0.0
                              ? plain_number(100.0 * (c.peak / base - 1.0), 1)
                              : Number{});

@@ -124,6 +124,13 @@ std::string spread_of(const StudyLevel& level, std::size_t state, double height)
     return text;
 }
 
+/// A limit displacement times `scale`, with two digits at least.
+std::string sheet_limit(const fragility::LimitDisplacement& limit, double scale, int decimals)
+{
+    const int two_digits = decimals_for(limit.displacement * scale) - 1;
+    return cell_text(limit_cell(limit, scale, std::max(decimals, two_digits)));
+}
+
 /// ", pushed to the left"
 std::string ways_text(const std::string& way)
 {
@@ -158,10 +165,9 @@ std::vector<SheetLimit> limits_of(ReadingRules rules, const PushedWall& w,
     std::vector<SheetLimit> all;
     for (std::size_t i = 0; i < names.size(); ++i) {
         const fragility::LimitDisplacement& limit = worse.limits.at(i);
-        SheetLimit row{
-            state_name(names[i]), cell_text(limit_cell(limit, 1e3, 1)),
-            cell_text(limit_cell(limit, fragility::percent_per_metre(w.loads.height), 2)),
-            rule_of(rules, w, names[i], i, limit), ""};
+        SheetLimit row{state_name(names[i]), sheet_limit(limit, 1e3, 1),
+                       sheet_limit(limit, fragility::percent_per_metre(w.loads.height), 2),
+                       rule_of(rules, w, names[i], i, limit), ""};
         if (stored != nullptr) row.spread = spread_of(*stored, i, w.loads.height);
         all.push_back(std::move(row));
     }

@@ -46,7 +46,10 @@ std::string points_part(const PushedWall& wall)
            " % by the number of contact points";
 }
 
-std::string millimetres(double distance) { return fixed(distance * 1e3, 1) + " mm"; }
+std::string millimetres(double distance)
+{
+    return never_rounded_away(distance * 1e3, 1) + " mm";
+}
 
 std::string sentence(std::string text)
 {
@@ -98,8 +101,8 @@ std::string limit_sentence(const LoadInput& load, const FragilityInput& fragilit
     const std::string left = percent_text(fragility.ultimate_share);
     const std::string at =
         millimetres(limit.displacement) + ", " +
-        fixed(fragility::percent_drift(limit.displacement, w.loads.height), 2) + " % of " +
-        std::string(height_words(load));
+        never_rounded_away(fragility::percent_drift(limit.displacement, w.loads.height), 2) +
+        " % of " + std::string(height_words(load));
     const std::string way = way_words(load, by_other) + " ";
     if (is_observed(limit))
         return sentence(way + "its force is down to " + left + " of the peak at " + at);

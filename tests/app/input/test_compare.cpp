@@ -58,6 +58,23 @@ TEST_CASE("compare: a measured curve is read as a computed one", "[app][compare]
     CHECK(value(other.front().cells[5]) == Approx(9.0));
 }
 
+TEST_CASE("compare: paths to and fro have their work, and noise is none", "[app][compare]")
+{
+    const scenes::TemporaryFolder folder;
+    // A loop of 10 kN over 2 x 4 mm, and one way with a sensor that jitters.
+    const std::string loop = "displacement_mm,force_kN\n0,0\n0,10\n2,10\n2,-10\n-2,-10\n"
+                             "-2,10\n0,10\n0,0\n",
+                      way = "displacement_mm,force_kN\n0,0\n2,10\n1.95,10\n4,10\n3.9,10\n";
+    auto all = app::read_compared(file_of(folder.path / "loop.csv", loop));
+    for (auto& c : app::read_compared(file_of(folder.path / "way.csv", way)))
+        all.push_back(std::move(c));
+    const app::Table t = app::compared_table(all);
+    REQUIRE(t.head.at(9).name == "work [J]");
+    CHECK(value(t.rows[0].at(9)) == Approx(80.0));
+    CHECK(app::cell_text(t.rows[1].at(9)).empty());
+    CHECK(app::compared_table({all[1]}).head.size() + 1 == t.head.size());
+}
+
 TEST_CASE("compare: folders of fragility are laid side by side by their limit drifts",
           "[app][compare]")
 {
