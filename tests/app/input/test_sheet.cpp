@@ -196,6 +196,7 @@ fidelity = rigid
 )";
     CHECK(sheet_of(study, out) == 0);
     const std::string page = scenes::read_text(out);
+    CHECK(page.find("&gt; 0.0<") == std::string::npos); // limits of some hundredths of a mm
     for (const char* const part :
          {"wall moves [mm]", "Force over movement of the wall", "a mean by weight",
           "of the height of its centre of gravity", "without a load on its top"})
