@@ -205,7 +205,7 @@ bool goes_to_and_fro(const Compared& c)
     return std::min(back_from_most, back_from_least) > kNoise * farthest;
 }
 
-/// Of the horizontal force along the whole path [J].
+/// Work of the horizontal force along the whole path [J].
 double work_of(const Compared& c)
 {
     double work = 0.0;
