@@ -164,7 +164,7 @@ Compared of_test(const std::string& path)
         if (std::abs(u) > std::abs(farthest)) farthest = u;
     ReadingRules rules;
     rules.direction = farthest < 0.0 ? -1 : 1;
-    bool back = false; // a measured cycle has no single curve
+    bool back = false; // cycles have no single curve, nor has a sensor that jitters
     for (std::size_t i = 1; i < curve.displacement.size(); ++i)
         back =
             back || (curve.displacement[i] - curve.displacement[i - 1]) * rules.direction < 0.0;
@@ -262,8 +262,8 @@ Table compared_table(const std::vector<Compared>& all)
               "mode"};
     const bool cyclic = std::ranges::any_of(all, goes_to_and_fro);
     if (cyclic) {
-        t.caption +=
-            " Work: of the horizontal force along the whole path, which cycles take up.";
+        t.caption += " The work is that of the horizontal force along the whole path; cycles "
+                     "take it up.";
         t.head.emplace_back("work [J]");
     }
     t.head.emplace_back("peak to the first [%]");
