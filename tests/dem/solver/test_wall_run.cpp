@@ -3,6 +3,7 @@
 #include "dem/block/model.hpp"
 #include "dem/small_wall.hpp"
 #include "dem/solver/ensemble.hpp"
+#include "dem/solver/state/recorder.hpp"
 #include "dem/solver/step/stability_limit.hpp"
 #include "dem/solver/step/vertical_load.hpp"
 #include "scenes/paper_wall.hpp"
@@ -228,6 +229,21 @@ TEST_CASE(
     CHECK(first.given_up == 1.0);
     CHECK(first.looks > 5);
     CHECK(repeated.looks < 1.5 * first.looks);
+}
+
+TEST_CASE("wall run: a push to and fro begins with points as close as after a turn",
+          "[dem][wall_run]")
+{
+    const scenes::Scene s = low_wall(0.5);
+    dem::PushPlan one_way = to(2e-4), cycle = to(2e-4);
+    cycle.targets.push_back(-2e-4);
+    const auto first_interval = [&](const dem::PushPlan& plan) {
+        return pushed(s, plan, {}).curve.at(1).interval_end;
+    };
+    const double close = 2.0 * one_way.record_every / dem::Recorder::kAfterTurn;
+    CHECK(first_interval(one_way) > 0.9 * one_way.record_every);
+    CHECK(first_interval(cycle) < 2.0 * close);
+    CHECK(first_interval(cycle) >= close);
 }
 
 TEST_CASE("wall run: a stiff and slender wall is pushed no faster than it can follow",
