@@ -165,7 +165,8 @@ int calibrate_command(const Command& command)
     const std::vector<MeasuredTest> tests = measured_tests(csv, study.load.height);
     check_stresses(csv, tests, study.load.vertical_stress);
     const bool taught = !study.calibration.inputs.empty();
-    const CalibratedInputs inputs = taught ? calibrated_inputs(study) : CalibratedInputs{};
+    const CalibratedInputs inputs =
+        taught ? calibrated_inputs(study.calibration, study, study.source) : CalibratedInputs{};
     if (!command.quiet) std::cerr << test_notes(csv, study.load.height, taught);
     check_place(command, taught);
     catch_interrupts();

@@ -54,11 +54,11 @@ void check_input(const UqInput& uq, const StudyFile& source, const RandomInput& 
 }
 
 /// Correlation of the normal images of the inputs at these places.
-Eigen::MatrixXd correlation_of(const UqInput& uq, const std::vector<RandomInput>& random,
-                               const StudyFile& source, const std::vector<std::size_t>& places)
+Eigen::MatrixXd correlation_of(const Sampling& sampling, const StudyFile& source,
+                               const std::vector<std::size_t>& places)
 {
     const auto n = static_cast<Eigen::Index>(places.size());
-    const auto dependence = dependence_of(uq, random, source);
+    const auto dependence = dependence_of(sampling, source);
     Eigen::MatrixXd rho = Eigen::MatrixXd::Identity(n, n);
     if (!dependence) return rho;
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -68,9 +68,9 @@ Eigen::MatrixXd correlation_of(const UqInput& uq, const std::vector<RandomInput>
             if (found != places.end())
                 rho(i, found - places.begin()) = dependence->rho_z(a, b);
             else if (dependence->rho_z(a, b) != 0.0)
-                refuse(source, random[static_cast<std::size_t>(a)].key +
+                refuse(source, sampling.random[static_cast<std::size_t>(a)].key +
                                    " is correlated with " +
-                                   random[static_cast<std::size_t>(b)].key +
+                                   sampling.random[static_cast<std::size_t>(b)].key +
                                    " (uq.pearson), which is not named; name both");
         }
     }
@@ -85,25 +85,24 @@ int fewest_walls(std::size_t inputs)
     return std::max(kLeast, kEach * static_cast<int>(inputs));
 }
 
-CalibratedInputs calibrated_inputs(const Study& study)
+CalibratedInputs calibrated_inputs(const CalibrationInput& calibration,
+                                   const Sampling& sampling, const StudyFile& source)
 {
-    const std::vector<std::size_t> places =
-        places_of(study.calibration, study.random, study.source);
+    const std::vector<std::size_t> places = places_of(calibration, sampling.random, source);
     CalibratedInputs c;
-    c.all = places.size() == study.random.size();
+    c.all = places.size() == sampling.random.size();
     for (const std::size_t place : places) {
-        const RandomInput& r = study.random[place];
-        check_input(study.uq, study.source, r);
+        const RandomInput& r = sampling.random[place];
+        check_input(sampling.uq, source, r);
         const std::string_view unit = find_key(r.key)->unit;
         c.inputs.push_back({r.key, std::string(unit), from_si(1.0, unit), place, r.marginal});
     }
-    c.factor = Eigen::LLT<Eigen::MatrixXd>(
-                   correlation_of(study.uq, study.random, study.source, places))
+    c.factor = Eigen::LLT<Eigen::MatrixXd>(correlation_of(sampling, source, places))
                    .matrixL()
                    .toDenseMatrix();
-    if (const int least = fewest_walls(places.size()); study.uq.samples < least)
-        throw error_at(study.source, "uq.samples",
-                       std::to_string(study.uq.samples) +
+    if (const int least = fewest_walls(places.size()); sampling.uq.samples < least)
+        throw error_at(source, "uq.samples",
+                       std::to_string(sampling.uq.samples) +
                            " walls under each stress are too few "
                            "to learn " +
                            counted(places.size(), "input", "inputs") + "; write " +

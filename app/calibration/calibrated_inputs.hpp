@@ -11,7 +11,10 @@
 
 namespace app {
 
+struct CalibrationInput;
+struct Sampling;
 struct Study;
+struct StudyFile;
 
 struct CalibratedInput {
     std::string key, unit;   ///< unit in which people read it: "deg"; empty: none
@@ -30,7 +33,9 @@ struct CalibratedInputs {
 /// The distributions that study.calibration.inputs names.
 /// @throws ConfigError where it names something else, an input that varies inside a wall or is
 /// correlated with one that is not named, or where the study has too few walls to learn so many
-[[nodiscard]] CalibratedInputs calibrated_inputs(const Study& study);
+[[nodiscard]] CalibratedInputs calibrated_inputs(const CalibrationInput& calibration,
+                                                 const Sampling& sampling,
+                                                 const StudyFile& source);
 
 /// Walls of each stress from which so many inputs can be learned: 5 for each, and at least 10
 /// (choice).

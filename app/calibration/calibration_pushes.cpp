@@ -47,7 +47,7 @@ Eigen::MatrixXd pushed_answers(const PreparedStudy& ready, const CalibratedInput
         Eigen::MatrixXd::Constant(u.rows(), static_cast<Eigen::Index>(answers.size()),
                                   std::numeric_limits<double>::quiet_NaN());
     const uq::SpatialPlan others =
-        value_plan(ready.study.uq, ready.study.random, ready.study.source, ready.layout, false);
+        value_plan(ready.study, ready.study.source, ready.layout, false);
     std::size_t done = 0;
     PushList list;
     list.size = rows * levels;
@@ -68,7 +68,7 @@ Eigen::MatrixXd pushed_answers(const PreparedStudy& ready, const CalibratedInput
         }
         seen(++done);
     };
-    push_walls(ready.study, model_of(ready), bare_plan(ready.study), list, threads);
+    push_walls(ready.study, model_of(ready), bare(push_plan(ready.study)), list, threads);
     return y;
 }
 

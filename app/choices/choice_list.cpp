@@ -66,11 +66,10 @@ std::vector<Alternative> crushing(const JointInput& joint)
             {half, {"joint.compressive_strength=" + half}}};
 }
 
-std::vector<Alternative> cracks(const GeometryInput& geometry, const CrackInput& cracks,
-                                const StudyFile& source)
+std::vector<Alternative> cracks(const Masonry& masonry, const StudyFile& source)
 {
     std::vector<Alternative> all;
-    if (has_cracks(geometry, cracks, source))
+    if (has_cracks(masonry, source))
         all.push_back(
             {"none", {"unit.cracks=none", "unit.cracks_where=", "unit.cracks_elsewhere="}});
     else
@@ -114,11 +113,11 @@ std::vector<Alternative> direction(const LoadInput& load)
              {std::string("load.direction=") + (left ? "right" : "left")}}};
 }
 
-std::vector<Alternative> layout(const GeometryInput& geometry, const dem::WallGeometry& wall)
+std::vector<Alternative> layout(const Masonry& masonry)
 {
-    if (geometry.rubble || wall.length_cov > 0.0)
-        return {{"seed " + std::to_string(wall.seed + 1),
-                 {"wall.seed=" + std::to_string(wall.seed + 1)}}};
+    if (masonry.geometry.rubble || masonry.wall.length_cov > 0.0)
+        return {{"seed " + std::to_string(masonry.wall.seed + 1),
+                 {"wall.seed=" + std::to_string(masonry.wall.seed + 1)}}};
     return {{"0.15", {"wall.unit_length_cov=0.15"}}};
 }
 
@@ -131,15 +130,13 @@ constexpr Choice kChoices[] = {
     {"beam.interface", asks<&Study::beam>([](auto& b) { return interface(b); })},
     {"joint.compressive_strength",
      asks<&Study::parameters>([](auto& p) { return crushing(p.joint); })},
-    {"unit.cracks", asks<&Study::geometry, &Study::cracks, &Study::source>(
-                        [](auto&... parts) { return cracks(parts...); })},
+    {"unit.cracks", [](const Study& s) { return cracks(s, s.source); }},
     {"joint.closure", asks<&Study::parameters, &Study::load>(
                           [](auto& p, auto& l) { return closure(p.joint, l); })},
     {"solver.damping", nullptr, {"local", "combined"}},
     {"solver.fidelity", nullptr, {"simple", "standard"}},
     {"load.direction", asks<&Study::load>([](auto& l) { return direction(l); })},
-    {"wall.unit_length_cov",
-     asks<&Study::geometry, &Study::wall>([](auto& g, auto& w) { return layout(g, w); })}};
+    {"wall.unit_length_cov", [](const Study& s) { return layout(s); }}};
 
 std::vector<Alternative> alternatives_of(const Choice& choice, const Study& study)
 {
@@ -179,9 +176,9 @@ std::string before_text(const Study& study, std::string_view key)
     if (key == "load.direction")
         return push_way(study.load).direction > 0 ? "to the right" : "to the left";
     if (key == "unit.cracks")
-        return !has_cracks(study.geometry, study.cracks, study.source) ? "none"
-               : study.cracks.pattern.empty()                          ? "mid"
-                                                                       : study.cracks.pattern;
+        return !has_cracks(study, study.source) ? "none"
+               : study.cracks.pattern.empty()   ? "mid"
+                                                : study.cracks.pattern;
     const Entry* const entry = find_entry(study.source, key);
     return entry != nullptr ? entry->value : value_text(*find_key(key), study);
 }

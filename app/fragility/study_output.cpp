@@ -52,7 +52,7 @@ std::string stored_share_text(const StudyWalls& walls)
 /// "2 walls failed at 0.75 MPa: the energy ledger ..."
 std::string remarks_of(const StudyWalls& walls)
 {
-    std::string text = limit_choices_text(walls.study) + "\n";
+    std::string text = limit_choices_text(limit_choices(walls.study)) + "\n";
     if (walls.shard)
         text += walls.name + ": drystone merge puts the shards of a study together.\n";
     text += stored_share_text(walls);

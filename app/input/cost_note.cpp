@@ -65,7 +65,7 @@ std::string cost_note(const PreparedStudy& ready, Purpose purpose)
     constexpr double kSeconds = 10.0, kBytes = 1e9;
     const dem::BuildCost c = dem::build_cost(ready.layout, study.discretisation);
     const std::string text = "about " + time_text(c.seconds) + " and " + gigabytes(c.bytes);
-    const bool beam = c.beam && study.beam.height > wall_length(study.wall, study.geometry);
+    const bool beam = c.beam && study.beam.height > wall_length(study);
     const std::string less = what_costs_less(study.geometry, beam) + " cost less";
     const double available = memory();
     if (c.bytes > available && purpose == Purpose::push)

@@ -26,8 +26,7 @@ dem::Layout laid_out(const Study& study)
 
 void find_needed_cracks(PreparedStudy& ready)
 {
-    if (!asks_for_needed_cracks(ready.study.geometry, ready.study.cracks, ready.study.source))
-        return;
+    if (!asks_for_needed_cracks(ready.study, ready.study.source)) return;
     const auto boxes = read_at(ready.study.source, "unit.cracks_where",
                                [&] { return needed_cracks(ready.study); });
     put_cracks(boxes, ready.study);
@@ -39,9 +38,9 @@ void find_needed_cracks(PreparedStudy& ready)
 PreparedStudy lay_again(Study study)
 {
     grow_rubble(study);
-    if (!is_drawn(study.geometry)) check_pieces_of_units(study);
+    if (!is_drawn(study.geometry)) check_pieces_of_units(study, study.source);
     dem::Layout layout = laid_out(study);
-    check_blocks(study, layout);
+    check_blocks(study, study.source, layout);
     if (!is_drawn(study.geometry) && study.wall.base == dem::Base::fixed && !study.beam.present)
         require_joints(study.geometry, study.source, layout);
     return {std::move(study), std::move(layout)};

@@ -44,51 +44,52 @@ void check_residuals(const dem::CrackParameters& u, const StudyFile& source)
     }
 }
 
-void check_bond(const dem::WallGeometry& wall, const GeometryInput& geometry,
-                const StudyFile& source)
+void check_bond(const Masonry& masonry, const StudyFile& source)
 {
-    if (!in_courses(geometry)) return;
-    if (wall.bond != dem::Bond::shifted && wall.header_length > wall.unit_length)
+    if (!in_courses(masonry.geometry)) return;
+    if (masonry.wall.bond != dem::Bond::shifted &&
+        masonry.wall.header_length > masonry.wall.unit_length)
         refuse(source, "wall.header_length",
-               "must be at most wall.unit_length, " + quantity_text(wall.unit_length, "m"));
-    if (wall.bond != dem::Bond::shifted || wall.length_cov == 0.0) return;
-    const double most = dem::most_length_cov(wall);
-    if (wall.length_cov > most)
+               "must be at most wall.unit_length, " +
+                   quantity_text(masonry.wall.unit_length, "m"));
+    if (masonry.wall.bond != dem::Bond::shifted || masonry.wall.length_cov == 0.0) return;
+    const double most = dem::most_length_cov(masonry.wall);
+    if (masonry.wall.length_cov > most)
         refuse(source, "wall.unit_length_cov",
                "head joints would pass those of the next course; write at most " +
                    number(std::floor(most * 1e3) / 1e3, 3));
 }
 
-void check_length(const dem::WallGeometry& wall, const GeometryInput& geometry,
-                  const StudyFile& source)
+void check_length(const Masonry& masonry, const StudyFile& source)
 {
-    if (!is_drawn(geometry) && wall.length < wall.unit_length) {
+    if (!is_drawn(masonry.geometry) && masonry.wall.length < masonry.wall.unit_length) {
         refuse(source, "wall.length",
                "must be at least one wall.unit_length, " +
-                   quantity_text(wall.unit_length, "m"));
+                   quantity_text(masonry.wall.unit_length, "m"));
     }
 }
 
 /// Pieces that share the stiffness of their unit with cracks take a larger Poisson's ratio than
 /// it has.
-void check_poisson(const Study& study)
+void check_poisson(const Masonry& masonry, const Parameters& parameters,
+                   const StudyFile& source)
 {
-    if (!any_pattern(study.geometry, study.cracks, study.source, dem::shares_stiffness)) return;
+    if (!any_pattern(masonry, source, dem::shares_stiffness)) return;
     const auto refuse_ratio = [&](std::string_view key, const dem::Elastic& stone,
                                   const std::string& whose) {
-        const double rigidity = study.wall.cracks.rigidity;
+        const double rigidity = masonry.wall.cracks.rigidity;
         if (dem::between_cracks(stone, rigidity).poisson_ratio < 0.5) return;
-        refuse(study.source, key,
+        refuse(source, key,
                whose + number(stone.poisson_ratio, 6) + " must be below " +
                    number(0.5 * (1.0 - 1.0 / rigidity), 4) +
                    ", 0.5 (1 - 1 / unit.crack_rigidity), where unit.cracks divides units into "
                    "pieces with cracks on all sides");
     };
-    refuse_ratio("stone.poisson_ratio", study.parameters.stone, "");
-    for (std::size_t k = 0; k < study.geometry.stones.size(); ++k)
-        if (study.geometry.layers[k] != "lintel")
-            refuse_ratio("wall.layer_stones", study.geometry.stones[k],
-                         "Poisson's ratio of " + study.geometry.layers[k] + ", ");
+    refuse_ratio("stone.poisson_ratio", parameters.stone, "");
+    for (std::size_t k = 0; k < masonry.geometry.stones.size(); ++k)
+        if (masonry.geometry.layers[k] != "lintel")
+            refuse_ratio("wall.layer_stones", masonry.geometry.stones[k],
+                         "Poisson's ratio of " + masonry.geometry.layers[k] + ", ");
 }
 
 /// Beyond this a block takes minutes and gigabytes to condense.
@@ -106,49 +107,49 @@ void check_zones(const dem::Discretisation& d, const StudyFile& source)
                    std::to_string(kMostZones));
 }
 
-void check_load(const Study& study)
+void check_load(const Masonry& masonry, const LoadInput& load, const StudyFile& source)
 {
-    const std::string unfit =
-        unfit_height(study.load, study.beam, wall_height(study.wall, study.geometry));
-    if (!unfit.empty()) refuse(study.source, "load.height", unfit);
+    const std::string unfit = unfit_height(load, masonry.beam, wall_height(masonry));
+    if (!unfit.empty()) refuse(source, "load.height", unfit);
     double previous = 0.0;
-    for (const double target : study.load.targets) {
+    for (const double target : load.targets) {
         if (target == previous) {
-            refuse(study.source, "load.targets",
+            refuse(source, "load.targets",
                    quantity_text(target, "mm") + " follows " + quantity_text(previous, "mm") +
                        "; each target must differ from the one before, the first from 0 mm");
         }
         previous = target;
     }
-    if (!study.load.targets.empty() && !study.load.amplitudes.empty())
-        refuse(study.source, "load.amplitudes",
+    if (!load.targets.empty() && !load.amplitudes.empty())
+        refuse(source, "load.amplitudes",
                "load.targets gives the displacements already; remove one of the two keys");
 }
 
 /// Checks what pushes, and what there is to push.
-void check_pattern(const Study& study)
+void check_pattern(const Masonry& masonry, const LoadInput& load, const Parameters& parameters,
+                   const StudyFile& source)
 {
-    const bool body = study.load.pattern == dem::LoadPattern::body;
-    if (body && find_entry(study.source, "load.height"))
-        refuse(study.source, "load.height",
+    const bool body = load.pattern == dem::LoadPattern::body;
+    if (body && find_entry(source, "load.height"))
+        refuse(source, "load.height",
                "body forces act on every block; remove it, or write load.pattern = beam");
-    if (body && study.beam.rotation == dem::BeamRotation::fixed)
-        refuse(study.source, "beam.rotation",
+    if (body && masonry.beam.rotation == dem::BeamRotation::fixed)
+        refuse(source, "beam.rotation",
                "body forces move the beam with the wall; write free, or load.pattern = beam");
-    if (body && study.load.gravity == 0.0)
-        refuse(study.source, "load.gravity",
+    if (body && load.gravity == 0.0)
+        refuse(source, "load.gravity",
                "body forces are in proportion to weight; write 9.81 m/s2");
-    const bool heavy_beam = study.beam.present && study.beam.material.density > 0.0;
-    if (body && study.parameters.stone.density == 0.0 && !heavy_beam)
-        refuse(study.source, "stone.density",
+    const bool heavy_beam = masonry.beam.present && masonry.beam.material.density > 0.0;
+    if (body && parameters.stone.density == 0.0 && !heavy_beam)
+        refuse(source, "stone.density",
                "body forces are in proportion to weight; write for example 2300 kg/m3");
-    if (study.beam.present) return;
+    if (masonry.beam.present) return;
     if (!body)
-        refuse(study.source, "beam.present",
+        refuse(source, "beam.present",
                "without a beam nothing pushes the wall; write load.pattern = body");
-    for (const double stress : study.load.vertical_stress)
+    for (const double stress : load.vertical_stress)
         if (stress > 0.0)
-            refuse(study.source, "load.vertical_stress",
+            refuse(source, "load.vertical_stress",
                    quantity_text(stress, "MPa") +
                        " has no beam to act on; write 0 MPa, or beam.present = yes");
 }
@@ -235,31 +236,31 @@ void check_cycles(const LoadInput& load, const StudyFile& source)
 
 /// No block and no piece of joint may be a sliver: its stiffness would be an accident of the
 /// sizes.
-void check_blocks(const Study& study, const dem::Layout& layout)
+void check_blocks(const Masonry& masonry, const StudyFile& source, const dem::Layout& layout)
 {
     constexpr double kSmallest = dem::kShortestUnit;
-    const dem::WallGeometry& wall = study.wall;
+    const dem::WallGeometry& wall = masonry.wall;
     const std::string_view culprit =
-        find_entry(study.source, "wall.bond") ? "wall.bond" : "wall.unit_length";
+        find_entry(source, "wall.bond") ? "wall.bond" : "wall.unit_length";
     const auto refuse_piece = [&](const std::string& what, double length) {
-        if (openings_make_slivers(study, kSmallest))
-            refuse(study.source, "wall.openings",
+        if (openings_make_slivers(masonry, source, kSmallest))
+            refuse(source, "wall.openings",
                    what + " beside an opening or its lintel would be " +
                        number(std::round(length * 1e6) / 1e3, 17) +
                        " mm long; move or widen the opening, or change lintel.bearing, so that "
                        "none "
                        "is below 1 mm");
-        refuse(study.source, culprit,
+        refuse(source, culprit,
                what + " would be " + number(std::round(length * 1e6) / 1e3, 17) +
                    " mm long; choose wall.length, unit_length and bond so that none is below 1 "
                    "mm");
     };
-    if (!in_courses(study.geometry)) return; // as drawn
+    if (!in_courses(masonry.geometry)) return; // as drawn
     for (const dem::Block& b : layout.blocks) {
         const double extent = std::min(b.x1 - b.x0, b.z1 - b.z0);
-        if (layout.divided && extent < kSmallest && cracks_make_slivers(study, kSmallest))
-            refuse(study.source,
-                   find_entry(study.source, "unit.cracks") ? "unit.cracks" : culprit,
+        if (layout.divided && extent < kSmallest &&
+            cracks_make_slivers(masonry, source, kSmallest))
+            refuse(source, find_entry(source, "unit.cracks") ? "unit.cracks" : culprit,
                    "makes pieces below 1 mm; write fewer pieces, or larger cells");
         if (b.x1 - b.x0 < kSmallest) refuse_piece("a unit", b.x1 - b.x0);
     }
@@ -273,17 +274,18 @@ void check_blocks(const Study& study, const dem::Layout& layout)
 void check_relations(const Study& study)
 {
     check_residuals(study.parameters.unit, study.source);
-    check_joint_laws(study);
-    check_bond(study.wall, study.geometry, study.source);
-    check_length(study.wall, study.geometry, study.source);
+    check_closed_stiffness(study.parameters.joint, study.load, study.source);
+    check_mixed_modes(study, study.parameters, study.solver, study.source);
+    check_bond(study, study.source);
+    check_length(study, study.source);
     check_zones(study.discretisation, study.source);
-    check_poisson(study);
-    check_pattern(study);
-    check_load(study);
+    check_poisson(study, study.parameters, study.source);
+    check_pattern(study, study.load, study.parameters, study.source);
+    check_load(study, study.load, study.source);
     check_pressed(study.parameters.joint, study.load, study.source);
     check_top_load(study.load, study.solver, study.source);
     check_output(study.load, study.output, study.source);
-    check_layouts(study);
+    check_layouts(study, study.uq, study.source);
     check_steps(study.load, study.solver, study.source);
     check_bootstrap(study.fragility, study.source);
     check_model_factors(study.fragility, study.source);

@@ -9,6 +9,7 @@ namespace app {
 
 struct FragilityInput;
 struct LoadInput;
+struct Masonry;
 struct Study;
 struct StudyFile;
 
@@ -23,7 +24,7 @@ void check_cycles(const LoadInput& load, const StudyFile& source);
 
 /// Refuses blocks and pieces of joint of a wall in courses that are too short.
 /// @throws ConfigError at the value to change
-void check_blocks(const Study& study, const dem::Layout& layout);
+void check_blocks(const Masonry& masonry, const StudyFile& source, const dem::Layout& layout);
 
 /// Checks all other rules, once every value is known.
 /// @throws ConfigError at the value to change

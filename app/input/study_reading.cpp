@@ -82,8 +82,7 @@ void derive(Study& study)
 
 void leave_out_unfit_height(Study& study)
 {
-    study.load.unfit_height =
-        unfit_height(study.load, study.beam, wall_height(study.wall, study.geometry));
+    study.load.unfit_height = unfit_height(study.load, study.beam, wall_height(study));
     if (!study.load.unfit_height.empty()) find_key("load.height")->derived.apply(study);
 }
 
@@ -103,7 +102,7 @@ Study read_study(const StudyFile& file, Purpose purpose)
     check_cycles(study.load, study.source);
     study.wall.toe_at_left = push_way(study.load).direction < 0;
     read_geometry(study);
-    check_stiffness(study);
+    check_stiffness(study, study.parameters, study.load, study.source);
     derive(study);
     if (purpose == Purpose::drawing) leave_out_unfit_height(study);
     check_relations(study);

@@ -212,13 +212,14 @@ void add_beyond_limits(const dem::Beam& beam, bool slides, double peak, HandChec
                2.0 * *h.rocking_limit, h.remarks);
 }
 
-HandChecks limits_of(const Study& study, const PushedWall& w)
+HandChecks limits_of(const Masonry& masonry, const Parameters& parameters,
+                     const std::vector<RandomInput>& random, const PushedWall& w)
 {
-    const Parameters& p = study.parameters;
+    const Parameters& p = parameters;
     dem::Loads loads = w.loads;
     loads.vertical_stress = w.vertical_stress;
     const dem::RigidWall rigid =
-        dem::rigid_wall(study.wall, study.beam, p.stone, loads,
+        dem::rigid_wall(masonry.wall, masonry.beam, p.stone, loads,
                         {std::tan(p.joint.friction_angle), std::tan(p.base_friction_angle),
                          std::tan(p.beam_friction_angle)},
                         w.result.weight);
@@ -226,20 +227,20 @@ HandChecks limits_of(const Study& study, const PushedWall& w)
     h.vertical_load = rigid.vertical_load;
     h.wall_weight = rigid.weight;
     h.rocking_limit = rigid.rocking_limit;
-    const bool drawn = std::ranges::any_of(study.random, [](const RandomInput& r) {
+    const bool drawn = std::ranges::any_of(random, [](const RandomInput& r) {
         return r.key == "joint.friction_angle" || r.key == "base.friction_angle" ||
                r.key == "beam.friction_angle";
     });
     if (!drawn && std::isfinite(rigid.sliding_limit)) h.sliding_limit = rigid.sliding_limit;
     if (rigid.turning == 0)
         h.remarks.emplace_back(
-            study.beam.present
+            masonry.beam.present
                 ? "a single course on a fixed base: no joint can open or slide below "
                   "the beam; only cracks and crushing can end the wall"
                 : "a single course on a fixed base: nothing can move");
     if (rigid.turning > 0)
-        add_beyond_limits(study.beam, std::isfinite(rigid.sliding_limit), peak_force(w.reading),
-                          h);
+        add_beyond_limits(masonry.beam, std::isfinite(rigid.sliding_limit),
+                          peak_force(w.reading), h);
     return h;
 }
 
@@ -248,7 +249,7 @@ HandChecks limits_of(const Study& study, const PushedWall& w)
 HandChecks hand_checks(const Study& study, const dem::Layout& layout, const PushedWall& w)
 {
     const bool closed_form = layout.coursed && !layout.mortar && study.wall.openings.empty();
-    HandChecks h = closed_form ? limits_of(study, w)
+    HandChecks h = closed_form ? limits_of(study, study.parameters, study.random, w)
                                : loads_alone(study.parameters.stone, study.beam, w, layout);
     if (!dem::failed(w.result.outcome))
         h.toe_stress = dem::toe_stress(w.result.at_end, study.wall.base);
@@ -257,7 +258,7 @@ HandChecks hand_checks(const Study& study, const dem::Layout& layout, const Push
     add(no_yield_remark(w.reading), h.remarks);
     add(other_way_remark(study.load, study.source, layout, w), h.remarks);
     const ReadingRules rules = reading_rules(study);
-    if (w.piers.empty()) add(pier_remark(rules, study.wall, study.geometry), h.remarks);
+    if (w.piers.empty()) add(pier_remark(rules, study), h.remarks);
     for (std::string& remark : piers_remarks(rules, w)) add(std::move(remark), h.remarks);
     add_inaccurate(study.solver, w, h.remarks);
     add_wide_fall(study.fragility, w, h.remarks);

@@ -87,12 +87,11 @@ std::string draw_spandrel(const SpandrelReading& s, const Places& place)
 
 } // namespace
 
-std::string pier_picture(const dem::WallGeometry& courses, const GeometryInput& geometry,
-                         const LoadInput& load, const dem::Layout& layout,
-                         const PushedWall& wall)
+std::string pier_picture(const Masonry& masonry, const LoadInput& load,
+                         const dem::Layout& layout, const PushedWall& wall)
 {
     constexpr double kWide = 900.0, kHigh = 700.0; // [px], at most
-    const dem::Region extent = wall_extent(courses, geometry);
+    const dem::Region extent = wall_extent(masonry);
     const double length = extent.x1 - extent.x0, height = extent.z1 - extent.z0;
     const Places place{extent, std::min(kWide / length, kHigh / height)};
     std::string body = draw_stones(layout, place);

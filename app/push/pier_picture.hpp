@@ -8,12 +8,11 @@
 
 namespace app {
 
-struct GeometryInput;
 struct LoadInput;
+struct Masonry;
 
 /// SVG: the stones, each pier with its number, forces, drift and mode. The wall has piers.
-[[nodiscard]] std::string pier_picture(const dem::WallGeometry& courses,
-                                       const GeometryInput& geometry, const LoadInput& load,
+[[nodiscard]] std::string pier_picture(const Masonry& masonry, const LoadInput& load,
                                        const dem::Layout& layout, const PushedWall& wall);
 
 } // namespace app

@@ -108,8 +108,7 @@ std::vector<OutputFile> wall_files(const Study& used, const dem::Layout& layout,
     files.push_back({"capacity.svg", capacity_svg(reading_rules(used), w, beside)});
     files.push_back({"wall.svg", pushed_picture(used.beam, used.load, layout, w)});
     if (!w.piers.empty())
-        files.push_back(
-            {"piers.svg", pier_picture(used.wall, used.geometry, used.load, layout, w)});
+        files.push_back({"piers.svg", pier_picture(used, used.load, layout, w)});
     const PushedWall* const other = other_way_of(w);
     if (other == nullptr || dem::failed(other->result.outcome)) return files;
     const Study turned = turned_round(used);
@@ -118,8 +117,8 @@ std::vector<OutputFile> wall_files(const Study& used, const dem::Layout& layout,
     files.push_back(
         {"wall_" + way + ".svg", pushed_picture(turned.beam, turned.load, layout, *other)});
     if (!other->piers.empty())
-        files.push_back({"piers_" + way + ".svg", pier_picture(turned.wall, turned.geometry,
-                                                               turned.load, layout, *other)});
+        files.push_back(
+            {"piers_" + way + ".svg", pier_picture(turned, turned.load, layout, *other)});
     return files;
 }
 
@@ -277,8 +276,7 @@ PreparedStudy pushed_study(PreparedStudy ready, std::optional<int> sample)
 {
     const Study& study = ready.study;
     if (!has_layouts(study.geometry)) return ready;
-    return in_layout(study, layout_seed(study.wall, study.geometry,
-                                        static_cast<std::uint32_t>(sample.value_or(0))));
+    return in_layout(study, layout_seed(study, static_cast<std::uint32_t>(sample.value_or(0))));
 }
 
 /// "wall.gif", of several walls "wall_0.50_MPa.gif".

@@ -24,7 +24,10 @@ struct UqInput;
 
 /// From a study of another program (docs/external_program.md).
 /// @throws ConfigError
-[[nodiscard]] uq::ReliabilityProblem program_event(const Study& study, int threads);
+[[nodiscard]] uq::ReliabilityProblem program_event(const Sampling& sampling,
+                                                   const ProgramInput& input,
+                                                   const ReliabilityInput& reliability,
+                                                   const StudyFile& source, int threads);
 
 /// The part that both kinds of study share, still without its event: dimension, method, budget
 /// and seed.

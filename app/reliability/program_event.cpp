@@ -58,34 +58,34 @@ uq::ExternalProgram program_of(const ProgramInput& input,
 
 } // namespace
 
-uq::ReliabilityProblem program_event(const Study& study, int threads)
+uq::ReliabilityProblem program_event(const Sampling& sampling, const ProgramInput& input,
+                                     const ReliabilityInput& reliability,
+                                     const StudyFile& source, int threads)
 {
-    const uq::ExternalProgram program =
-        program_of(study.program, study.random, study.source, threads);
+    const uq::ExternalProgram program = program_of(input, sampling.random, source, threads);
     const std::string response =
-        study.program.response.empty() ? program.responses.front() : study.program.response;
+        input.response.empty() ? program.responses.front() : input.response;
     const auto found = std::ranges::find(program.responses, response);
     if (found == program.responses.end())
-        throw error_at(study.source, "reliability.response",
+        throw error_at(source, "reliability.response",
                        in_quotes(response) + " is none of model.responses");
-    const bool above = study.program.above;
+    const bool above = input.above;
     std::vector<uq::Marginal> variables;
-    for (const RandomInput& r : study.random) variables.push_back(r.marginal);
-    uq::ReliabilityProblem p = asked_problem(study.uq, study.reliability, study.source,
+    for (const RandomInput& r : sampling.random) variables.push_back(r.marginal);
+    uq::ReliabilityProblem p = asked_problem(sampling.uq, reliability, source,
                                              static_cast<Eigen::Index>(variables.size()));
-    p.event.to_physical =
-        uq::to_variables(variables, dependence_of(study.uq, study.random, study.source));
+    p.event.to_physical = uq::to_variables(variables, dependence_of(sampling, source));
     p.event.response = found - program.responses.begin();
-    p.event.threshold = study.program.demand;
+    p.event.threshold = input.demand;
     p.event.passing = above ? uq::Passing::at_or_above : uq::Passing::at_or_below;
-    p.words = response + (above ? " >= " : " <= ") +
-              find_entry(study.source, "reliability.demand")->value;
+    p.words =
+        response + (above ? " >= " : " <= ") + find_entry(source, "reliability.demand")->value;
     p.inputs = program.parameters;
     p.normal = p.inputs;
     try {
         p.event.model = uq::external_model(program);
     } catch (const std::invalid_argument& bad) {
-        throw error_at(study.source, "model.command", bad.what());
+        throw error_at(source, "model.command", bad.what());
     }
     return p;
 }

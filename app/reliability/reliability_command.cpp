@@ -106,7 +106,8 @@ Question question_of(const Command& command)
         program ? PreparedStudy{read_program_study(file), {}} : prepare(read_study(file));
     const Study& study = ready.study;
     const uq::ReliabilityProblem problem =
-        program ? program_event(study, command.threads)
+        program ? program_event(study, study.program, study.reliability, study.source,
+                                command.threads)
                 : wall_problem(ready, command.level, command.threads);
     Question q{problem, shown_inputs(study.program, study.random, problem.inputs),
                shown_response(study.reliability, study.program, problem),

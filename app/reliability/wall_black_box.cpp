@@ -47,7 +47,7 @@ uq::Responses ask(const Shared& s, const uq::Samples& samples)
         r.failure[i] = answer(wall, y);
         if (r.failure[i].empty()) r.y.row(static_cast<Eigen::Index>(i)) = y;
     };
-    push_walls(s.study, s.model, bare_plan(s.study), list, s.threads);
+    push_walls(s.study, s.model, bare(push_plan(s.study)), list, s.threads);
     return r;
 }
 
@@ -68,7 +68,7 @@ SamplePlan any_wall_plan(Study study, const dem::Layout& layout)
 {
     const std::vector<std::uint32_t> one = {1};
     study.uq.design = uq::DesignKind::monte_carlo;
-    return sample_plan(study, layout, one);
+    return sample_plan(study, study.load, study.source, layout, one);
 }
 
 uq::BlackBox wall_model(const PreparedStudy& ready, const SamplePlan& plan, int level,

@@ -206,8 +206,7 @@ Json films_json(const PreparedStudy& ready, const WallList& listed, const Replay
         const auto film = of_wall.find(listed[w]);
         if (film == of_wall.end()) continue;
         const Film& f = *film->second;
-        const std::uint32_t seed =
-            layout_seed(ready.study.wall, ready.study.geometry, listed[w]->key.sample);
+        const std::uint32_t seed = layout_seed(ready.study, listed[w]->key.sample);
         const auto [at, first] = places.try_emplace(seed, places.size());
         if (first) films["geometries"].push_back(geometry_of(ready, seed));
         films["films"].push_back({{"wall", w},

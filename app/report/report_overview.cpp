@@ -1,6 +1,6 @@
 #include "app/report/report_parts.hpp"
 
-#include "app/input/prepared_study.hpp"
+#include "app/input/wall/built_wall.hpp"
 #include "app/input/wall/random_layouts.hpp"
 #include "app/input/wall/wall_geometry.hpp"
 #include "app/study/answers/fragility_text.hpp"
@@ -54,25 +54,23 @@ std::string way_text(const PushWay& way)
 }
 
 /// "in 10 courses", "of 15 blocks drawn in portal.dxf"
-std::string bond_text(const Study& study)
+std::string bond_text(Masonry masonry)
 {
-    if (study.geometry.rubble)
-        return "of " + count_of(lay_again(study).study.geometry.units.size(), "stone") +
-               " of rubble"; // a study that is read has not grown them
-    if (!is_drawn(study.geometry))
-        return "in " + count_of(static_cast<std::size_t>(study.wall.courses), "course");
-    const GeometryInput& g = study.geometry;
+    const GeometryInput& g = masonry.geometry;
+    grow_rubble(masonry); // a study that is read has not grown it
+    if (g.rubble) return "of " + count_of(g.units.size(), "stone") + " of rubble";
+    if (!is_drawn(g))
+        return "in " + count_of(static_cast<std::size_t>(masonry.wall.courses), "course");
     return "of " + count_of(g.units.size(), "block") + " drawn" +
            (g.file.empty() ? "" : " in " + g.file);
 }
 
-std::string wall_text(const Study& study)
+std::string wall_text(const Masonry& masonry, const LoadInput& load)
 {
-    return "a wall of " + fixed(wall_length(study.wall, study.geometry), 2) + " m × " +
-           fixed(wall_height(study.wall, study.geometry), 2) + " m × " +
-           fixed(study.wall.thickness, 2) + " m " + bond_text(study) +
-           ", pushed sideways at a height of " + fixed(study.load.height, 2) + " m" +
-           way_text(push_way(study.load));
+    return "a wall of " + fixed(wall_length(masonry), 2) + " m × " +
+           fixed(wall_height(masonry), 2) + " m × " + fixed(masonry.wall.thickness, 2) + " m " +
+           bond_text(masonry) + ", pushed sideways at a height of " + fixed(load.height, 2) +
+           " m" + way_text(push_way(load));
 }
 
 std::vector<std::string> what_was_run(const StudyWalls& study)
@@ -86,12 +84,12 @@ std::vector<std::string> what_was_run(const StudyWalls& study)
     first += levels > 1 ? " from " + stress_text(study.levels.front().stress) + " to " +
                               stress_text(study.levels.back().stress)
                         : ", " + stress_text(study.levels.front().stress);
-    first += ": " + wall_text(study.study);
+    first += ": " + wall_text(study.study, study.study.load);
     std::vector<std::string> text = {first + "."};
     if (has_layouts(study.study.geometry))
         text.push_back("The stones lie in " + std::to_string(study.study.geometry.layouts) +
                        " random layouts, those of wall.seed = " +
-                       std::to_string(layout_seed(study.study.wall, study.study.geometry, 0)) +
+                       std::to_string(layout_seed(study.study, 0)) +
                        " and so on, which the samples take in turn.");
     if (!study.inputs.empty())
         text.push_back("Drawn at random: " + listed_keys(study) +

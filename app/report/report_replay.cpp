@@ -12,9 +12,9 @@
 namespace app {
 namespace {
 
-WallDraw stored_draw(const Study& study, const dem::Layout& layout, const StudyWall& wall)
+WallDraw stored_draw(const Sampling& sampling, const dem::Layout& layout, const StudyWall& wall)
 try {
-    return draw_of(sites_of(study.random, study.uq.spatial, layout), wall.drawn);
+    return draw_of(sites_of(sampling.random, sampling.uq.spatial, layout), wall.drawn);
 } catch (const BadValue&) {
     throw std::runtime_error("the stored values do not fit the stored configuration");
 }
@@ -44,7 +44,7 @@ void push_missing(const PreparedStudy& ready, const std::vector<std::size_t>& mi
         ++all.pushed;
         if (seen) seen(all.pushed, missing.size());
     };
-    dem::PushPlan plan = filmed_plan(ready.study);
+    dem::PushPlan plan = filmed(push_plan(ready.study), ready.study.load);
     plan.progress = [](const dem::PushProgress&) { end_if_interrupted(); };
     push_in_layouts(
         ready, plan, list, [&](std::size_t i) { return all.walls[missing[i]]->key.sample; },

@@ -36,16 +36,17 @@ bool varies(const std::vector<RandomInput>& random, Varies how)
 }
 
 /// Over the joints, and over the cracks; empty if no input varies over them.
-std::vector<uq::FieldBasis> fields_of(const UqInput& uq, const std::vector<RandomInput>& random,
-                                      const StudyFile& source, const dem::Layout& layout)
+std::vector<uq::FieldBasis> fields_of(const Sampling& sampling, const StudyFile& source,
+                                      const dem::Layout& layout)
 {
     std::vector<uq::FieldBasis> fields(2);
-    if (uq.spatial != Spatial::correlated) return fields;
+    if (sampling.uq.spatial != Spatial::correlated) return fields;
     const auto over = [&](const std::vector<uq::Site>& sites) {
-        return uq::cholesky_basis(uq::correlation_matrix(kernel_of(uq, source), sites));
+        return uq::cholesky_basis(
+            uq::correlation_matrix(kernel_of(sampling.uq, source), sites));
     };
-    if (varies(random, Varies::by_joint)) fields[0] = over(joint_sites(layout));
-    if (varies(random, Varies::by_crack)) fields[1] = over(crack_sites(layout));
+    if (varies(sampling.random, Varies::by_joint)) fields[0] = over(joint_sites(layout));
+    if (varies(sampling.random, Varies::by_crack)) fields[1] = over(crack_sites(layout));
     return fields;
 }
 
@@ -75,34 +76,33 @@ std::uint64_t level_seed(const UqInput& uq, double vertical_stress)
                     uq::Purpose::replicate, 0);
 }
 
-uq::SpatialPlan value_plan(const UqInput& uq, const std::vector<RandomInput>& random,
-                           const StudyFile& source, const dem::Layout& layout, bool latin)
+uq::SpatialPlan value_plan(const Sampling& sampling, const StudyFile& source,
+                           const dem::Layout& layout, bool latin)
 {
     std::vector<uq::SpatialInput> inputs;
-    for (const RandomInput& input : random)
-        inputs.push_back(spatial_input(input, uq.spatial, layout));
+    for (const RandomInput& input : sampling.random)
+        inputs.push_back(spatial_input(input, sampling.uq.spatial, layout));
     uq::SpatialPlan plan =
-        uq::spatial_plan(std::move(inputs), fields_of(uq, random, source, layout),
-                         dependence_of(uq, random, source), latin);
-    plan.together = joint_rows(uq, random, source);
+        uq::spatial_plan(std::move(inputs), fields_of(sampling, source, layout),
+                         dependence_of(sampling, source), latin);
+    plan.together = joint_rows(sampling, source);
     return plan;
 }
 
-SamplePlan sample_plan(const Study& study, const dem::Layout& layout,
-                       std::span<const std::uint32_t> sizes)
+SamplePlan sample_plan(const Sampling& sampling, const LoadInput& load, const StudyFile& source,
+                       const dem::Layout& layout, std::span<const std::uint32_t> sizes)
 {
-    SamplePlan plan{
-        study.uq.spatial,
-        study.random,
-        value_plan(study.uq, study.random, study.source, layout, is_latin(study.uq.design)),
-        {},
-        {},
-        joint_sites(layout),
-        crack_sites(layout)};
-    for (const double stress : study.load.vertical_stress) {
-        plan.seeds.push_back(level_seed(study.uq, stress));
+    SamplePlan plan{sampling.uq.spatial,
+                    sampling.random,
+                    value_plan(sampling, source, layout, is_latin(sampling.uq.design)),
+                    {},
+                    {},
+                    joint_sites(layout),
+                    crack_sites(layout)};
+    for (const double stress : load.vertical_stress) {
+        plan.seeds.push_back(level_seed(sampling.uq, stress));
         plan.design.push_back(
-            design_of(study.uq, study.source, plan.values, plan.seeds.back(), sizes));
+            design_of(sampling.uq, source, plan.values, plan.seeds.back(), sizes));
     }
     return plan;
 }

@@ -15,7 +15,8 @@
 
 namespace app {
 
-struct Study;
+struct LoadInput;
+struct Sampling;
 struct StudyFile;
 
 /// Everything that the draws of a study have in common.
@@ -36,15 +37,14 @@ struct SamplePlan {
 /// How standard normal numbers become the values of a wall.
 /// @param latin whether their rows are those of a Latin hypercube
 /// @throws ConfigError where the correlation or the rows asked for cannot be had
-[[nodiscard]] uq::SpatialPlan value_plan(const UqInput& uq,
-                                         const std::vector<RandomInput>& random,
-                                         const StudyFile& source, const dem::Layout& layout,
-                                         bool latin);
+[[nodiscard]] uq::SpatialPlan value_plan(const Sampling& sampling, const StudyFile& source,
+                                         const dem::Layout& layout, bool latin);
 
 /// The plan of a study's draws.
 /// @param sizes through which the design has grown, the last one study.uq.samples
 /// @throws ConfigError where the study asks for what its design or correlation cannot give
-[[nodiscard]] SamplePlan sample_plan(const Study& study, const dem::Layout& layout,
+[[nodiscard]] SamplePlan sample_plan(const Sampling& sampling, const LoadInput& load,
+                                     const StudyFile& source, const dem::Layout& layout,
                                      std::span<const std::uint32_t> sizes);
 
 /// The values of one wall.

@@ -19,22 +19,22 @@ constexpr const char* kPearson = "uq.pearson";
     throw error_at(source, kPearson, why);
 }
 
-void check_pair(const UqInput& uq, const std::vector<RandomInput>& random,
-                const StudyFile& source, Eigen::Index a, Eigen::Index b)
+void check_pair(const Sampling& sampling, const StudyFile& source, Eigen::Index a,
+                Eigen::Index b)
 {
     if (a == b) refuse(source, "an input is paired with itself; name two");
-    const Varies va = random[a].varies, vb = random[b].varies;
-    if (uq.spatial == Spatial::stratified)
+    const Varies va = sampling.random[a].varies, vb = sampling.random[b].varies;
+    if (sampling.uq.spatial == Spatial::stratified)
         refuse(source,
                "has no meaning with spatial = stratified; write independent or correlated");
-    if (uq.spatial != Spatial::none && va != vb)
-        refuse(source, "joins " + random[a].key + " and " + random[b].key +
+    if (sampling.uq.spatial != Spatial::none && va != vb)
+        refuse(source, "joins " + sampling.random[a].key + " and " + sampling.random[b].key +
                            ", which do not vary over the same joints; write spatial = none");
 }
 
 /// "joint.friction_angle joint.stiffness_factor 0.3"
-void read_pair(const UqInput& uq, const std::vector<RandomInput>& random,
-               const StudyFile& source, const std::string& item, Eigen::MatrixXd& r)
+void read_pair(const Sampling& sampling, const StudyFile& source, const std::string& item,
+               Eigen::MatrixXd& r)
 {
     std::istringstream in(item);
     std::string a, b, value, rest;
@@ -43,9 +43,9 @@ void read_pair(const UqInput& uq, const std::vector<RandomInput>& random,
         refuse(source, in_quotes(trimmed(item)) +
                            " is not two inputs and their correlation; write e.g. "
                            "\"joint.friction_angle joint.stiffness_factor 0.3\"");
-    const auto i = static_cast<Eigen::Index>(input_named(random, source, a, kPearson)),
-               j = static_cast<Eigen::Index>(input_named(random, source, b, kPearson));
-    check_pair(uq, random, source, i, j);
+    const auto i = static_cast<Eigen::Index>(input_named(sampling.random, source, a, kPearson)),
+               j = static_cast<Eigen::Index>(input_named(sampling.random, source, b, kPearson));
+    check_pair(sampling, source, i, j);
     if (r(i, j) != 0.0) refuse(source, a + " and " + b + " are given twice; keep one of them");
     r(i, j) = r(j, i) = read_at(source, kPearson, [&] { return parse_quantity(value, ""); });
 }
@@ -65,18 +65,16 @@ std::size_t input_named(const std::vector<RandomInput>& random, const StudyFile&
                        (names.empty() ? "there is none" : suggestion(word, names)));
 }
 
-std::optional<uq::NormalCopula> dependence_of(const UqInput& uq,
-                                              const std::vector<RandomInput>& random,
-                                              const StudyFile& source)
+std::optional<uq::NormalCopula> dependence_of(const Sampling& sampling, const StudyFile& source)
 {
-    if (uq.pearson.empty()) return {};
-    const auto n = static_cast<Eigen::Index>(random.size());
+    if (sampling.uq.pearson.empty()) return {};
+    const auto n = static_cast<Eigen::Index>(sampling.random.size());
     std::vector<uq::Variable> variables;
-    for (const RandomInput& r : random) variables.push_back({r.key, r.marginal});
+    for (const RandomInput& r : sampling.random) variables.push_back({r.key, r.marginal});
     Eigen::MatrixXd pearson = Eigen::MatrixXd::Identity(n, n);
-    std::istringstream list(uq.pearson);
+    std::istringstream list(sampling.uq.pearson);
     for (std::string item; std::getline(list, item, ',');)
-        read_pair(uq, random, source, item, pearson);
+        read_pair(sampling, source, item, pearson);
     return read_at(source, kPearson, [&] { return uq::normal_copula(variables, pearson); });
 }
 

@@ -10,8 +10,8 @@
 namespace app {
 
 struct RandomInput;
+struct Sampling;
 struct StudyFile;
-struct UqInput;
 
 /// Place in Study::random of the input with this name.
 /// @param key that names it: "uq.pearson"
@@ -24,8 +24,7 @@ struct UqInput;
 /// @throws ConfigError if uq.pearson names something that is not a random input, or asks for a
 /// correlation that cannot be had; in a spatial study also if it joins inputs that do not vary
 /// over the same joints
-[[nodiscard]] std::optional<uq::NormalCopula>
-dependence_of(const UqInput& uq, const std::vector<RandomInput>& random,
-              const StudyFile& source);
+[[nodiscard]] std::optional<uq::NormalCopula> dependence_of(const Sampling& sampling,
+                                                            const StudyFile& source);
 
 } // namespace app

@@ -21,11 +21,11 @@ constexpr const char* kTogether = "uq.together";
 }
 
 /// The values of the input at this place, in the order in which they stand there.
-std::vector<double> listed_values(const UqInput& uq, const std::vector<RandomInput>& random,
-                                  const StudyFile& source, std::size_t place)
+std::vector<double> listed_values(const Sampling& sampling, const StudyFile& source,
+                                  std::size_t place)
 {
-    const RandomInput& input = random[place];
-    if (uq.spatial != Spatial::none && input.varies != Varies::by_wall)
+    const RandomInput& input = sampling.random[place];
+    if (sampling.uq.spatial != Spatial::none && input.varies != Varies::by_wall)
         refuse_rows(source, input.key + " varies from joint to joint; write uq.spatial = none");
     const Key& key = *find_key(input.key);
     const std::vector<double> values =
@@ -47,14 +47,13 @@ bool is_together(const UqInput& uq, std::string_view key)
     return !uq.together.empty() && std::ranges::count(split(uq.together, ","), key) > 0;
 }
 
-uq::JointRows joint_rows(const UqInput& uq, const std::vector<RandomInput>& random,
-                         const StudyFile& source)
+uq::JointRows joint_rows(const Sampling& sampling, const StudyFile& source)
 {
     uq::JointRows t;
-    if (uq.together.empty()) return t;
-    const auto dependence = dependence_of(uq, random, source);
-    for (const std::string_view word : split(uq.together, ",")) {
-        const std::size_t place = input_named(random, source, word, kTogether);
+    if (sampling.uq.together.empty()) return t;
+    const auto dependence = dependence_of(sampling, source);
+    for (const std::string_view word : split(sampling.uq.together, ",")) {
+        const std::size_t place = input_named(sampling.random, source, word, kTogether);
         if (std::ranges::count(t.inputs, place) > 0)
             refuse_rows(source, std::string(word) + " is named twice; keep one");
         const auto row = static_cast<Eigen::Index>(place);
@@ -62,7 +61,7 @@ uq::JointRows joint_rows(const UqInput& uq, const std::vector<RandomInput>& rand
             refuse_rows(source, std::string(word) +
                                     " stands in uq.pearson too: its dependence is "
                                     "given twice; take it out of one of them");
-        const std::vector<double> values = listed_values(uq, random, source, place);
+        const std::vector<double> values = listed_values(sampling, source, place);
         if (t.inputs.empty()) t.rows.resize(values.size());
         if (values.size() != t.rows.size())
             refuse_rows(source, std::string(word) + " has " + std::to_string(values.size()) +

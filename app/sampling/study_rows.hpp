@@ -7,7 +7,7 @@
 
 namespace app {
 
-struct RandomInput;
+struct Sampling;
 struct StudyFile;
 struct UqInput;
 
@@ -18,7 +18,6 @@ struct UqInput;
 /// @throws ConfigError if it names fewer than two inputs, one that is not empirical(...) or
 /// varies inside the wall, lists of different lengths, a value out of the range of its key, or
 /// one that uq.pearson names, too
-[[nodiscard]] uq::JointRows
-joint_rows(const UqInput& uq, const std::vector<RandomInput>& random, const StudyFile& source);
+[[nodiscard]] uq::JointRows joint_rows(const Sampling& sampling, const StudyFile& source);
 
 } // namespace app

@@ -28,12 +28,13 @@ std::string stone_text(const dem::Elastic& stone)
            ", " + number(stone.density, 12) + " kg/m3";
 }
 
-std::string layer_stones_text(const dem::WallGeometry& wall, const GeometryInput& g)
+std::string layer_stones_text(const Masonry& masonry)
 {
     std::string text;
-    for (std::size_t k = 0; k < g.layers.size(); ++k) {
-        const dem::Elastic& stone = in_courses(g) ? wall.lintel : g.stones[k];
-        text += (k == 0 ? "" : "; ") + g.layers[k] + ": " + stone_text(stone);
+    for (std::size_t k = 0; k < masonry.geometry.layers.size(); ++k) {
+        const dem::Elastic& stone =
+            in_courses(masonry.geometry) ? masonry.wall.lintel : masonry.geometry.stones[k];
+        text += (k == 0 ? "" : "; ") + masonry.geometry.layers[k] + ": " + stone_text(stone);
     }
     return text;
 }
@@ -68,7 +69,7 @@ std::string reading_again_text(const Study& study, bool cracked)
     if (cracked) text += "unit_length = " + number(study.wall.unit_length, 12) + " m\n";
     const bool lintels = !in_courses(study.geometry) || study.wall.lintel_bearing > 0.0;
     if (lintels && !study.geometry.layers.empty())
-        text += "layer_stones = " + layer_stones_text(study.wall, study.geometry) + '\n';
+        text += "layer_stones = " + layer_stones_text(study) + '\n';
     if (const std::string refused = refused_keys(study); !refused.empty())
         text += wrapped("Take out of the study: " + refused + '\n', terminal_width());
     return text;

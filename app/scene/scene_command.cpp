@@ -54,13 +54,14 @@ std::string count_text(const dem::Discretisation& discretisation, const dem::Lay
                    "contact points");
 }
 
-std::string size_text(const Study& study, const dem::Layout& layout)
+std::string size_text(const Masonry& masonry, const Parameters& parameters,
+                      const LoadInput& load, const dem::Layout& layout)
 {
-    const dem::Weights w = dem::weights_of(layout, study.parameters.stone, study.beam.material,
-                                           study.load.gravity);
-    return number(wall_length(study.wall, study.geometry), 4) + " m long, " +
-           number(layout.height, 4) + " m high, " + number(layout.thickness, 4) + " m thick; " +
-           number(w.area, 4) + " m2 of stone, " + fixed(w.masonry * 1e-3, 2) + " kN";
+    const dem::Weights w =
+        dem::weights_of(layout, parameters.stone, masonry.beam.material, load.gravity);
+    return number(wall_length(masonry), 4) + " m long, " + number(layout.height, 4) +
+           " m high, " + number(layout.thickness, 4) + " m thick; " + number(w.area, 4) +
+           " m2 of stone, " + fixed(w.masonry * 1e-3, 2) + " kN";
 }
 
 std::string whole_mm(double metres) { return fixed(metres * 1e3, 0); }
@@ -124,11 +125,11 @@ Table joint_table(const dem::Layout& layout)
     return t;
 }
 
-std::string layouts_text(const dem::WallGeometry& wall, const GeometryInput& geometry)
+std::string layouts_text(const Masonry& masonry)
 {
-    if (!has_layouts(geometry)) return "";
-    return "This is the layout of wall.seed = " + std::to_string(wall.seed) +
-           ", the first of " + std::to_string(geometry.layouts) +
+    if (!has_layouts(masonry.geometry)) return "";
+    return "This is the layout of wall.seed = " + std::to_string(masonry.wall.seed) +
+           ", the first of " + std::to_string(masonry.geometry.layouts) +
            "; --set wall.seed=K draws another.\n";
 }
 
@@ -145,14 +146,14 @@ int scene_command(const Command& command)
         !command.quiet)
         std::cerr << note;
     const dem::Layout& layout = source.ready.layout;
-    const dem::Layout whole = whole_units(study);
+    const dem::Layout whole = whole_units(study, study.source);
     const std::vector<DrawnBlock> units = scene_units(study.geometry, whole);
     std::cerr << study_notes(source.ready, command.verb);
     if (!study.load.unfit_height.empty())
         std::cerr << "note: load.height: " << study.load.unfit_height
                   << ". The wall is drawn; push and study refuse it.\n";
     const std::string counts = count_text(study.discretisation, layout, units);
-    const std::string sizes = size_text(study, layout);
+    const std::string sizes = size_text(study, study.parameters, study.load, layout);
     const dem::BondIndices indices = dem::bond_indices(whole);
     const double unit = study.geometry.length_unit;
     write_results(
@@ -169,7 +170,7 @@ int scene_command(const Command& command)
               << wrapped(index_text(indices) + "\n", terminal_width())
               << wrapped(quality_text(indices, dem::quality_terms(indices, whole)) + "\n",
                          terminal_width())
-              << layouts_text(study.wall, study.geometry)
+              << layouts_text(study)
               << "scene.svg, laws.svg, scene.json, scene.dxf and joints.csv written to "
               << command.out << '\n'
               << reading_again_text(study, layout.n_cracks > 0);

@@ -109,7 +109,7 @@ void WallQueue::push_waiting()
         running.extract(i).mapped().set_value(std::move(wall));
     };
     try {
-        dem::PushPlan plan = bare_plan(study_);
+        dem::PushPlan plan = bare(push_plan(study_));
         plan.progress = [](const dem::PushProgress&) { end_if_interrupted(); };
         push_walls(study_, model_, plan, list, 1);
     } catch (...) {

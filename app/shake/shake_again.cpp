@@ -12,7 +12,8 @@ ShakenAgain::ShakenAgain(const StoredHistories& stored, const std::filesystem::p
 {
     ready_.study.solver.kinematics = dem::Kinematics::finite; // whatever the default of a push
     refuse_changed_records(ready_.study.source, plan_, file);
-    samples_ = sample_plan(ready_.study, ready_.layout, stored_walls(stored.head, plan_));
+    samples_ = sample_plan(ready_.study, ready_.study.load, ready_.study.source, ready_.layout,
+                           stored_walls(stored.head, plan_));
 }
 
 ShakenWall ShakenAgain::history(std::size_t level, const StoredHistory& of,
@@ -30,8 +31,7 @@ PreparedStudy ShakenAgain::study_of(const StoredHistory& history) const
 {
     const Study& study = ready_.study;
     if (!has_layouts(study.geometry)) return ready_;
-    return in_layout(study, layout_seed(study.wall, study.geometry,
-                                        static_cast<std::uint32_t>(history.wall)));
+    return in_layout(study, layout_seed(study, static_cast<std::uint32_t>(history.wall)));
 }
 
 } // namespace app

@@ -185,11 +185,10 @@ void shake_pending(const PreparedStudy& ready, const HistoryPlan& plan,
 }
 
 /// Sizes through which the design of walls has grown.
-std::vector<std::uint32_t> wall_sizes(const GeometryInput& geometry, const UqInput& uq,
-                                      const std::vector<RandomInput>& random,
+std::vector<std::uint32_t> wall_sizes(const GeometryInput& geometry, const Sampling& sampling,
                                       const HistoryPlan& plan, const fs::path& file)
 {
-    const std::uint32_t samples = samples_of(geometry, uq, random);
+    const std::uint32_t samples = samples_of(geometry, sampling);
     std::vector<std::uint32_t> sizes;
     if (fs::exists(file)) sizes = stored_walls(read_head(file), plan);
     if (sizes.empty() || samples > sizes.back()) sizes.push_back(samples);
@@ -218,9 +217,9 @@ std::vector<WallKey> longest_first(const HistoryPlan& plan, std::vector<WallKey>
 /// walls are pushed as well, one register of pushes.
 StudyWork shaking_work(const PreparedStudy& ready, const HistoryPlan& plan)
 {
-    const std::vector<std::uint32_t> sizes = {
-        samples_of(ready.study.geometry, ready.study.uq, ready.study.random)};
-    const SamplePlan samples = sample_plan(ready.study, ready.layout, sizes);
+    const std::vector<std::uint32_t> sizes = {samples_of(ready.study.geometry, ready.study)};
+    const SamplePlan samples =
+        sample_plan(ready.study, ready.study.load, ready.study.source, ready.layout, sizes);
     const std::size_t levels = ready.study.load.vertical_stress.size(),
                       each = sizes.front() * histories_per_wall(plan), all = levels * each;
     std::vector<WallKey> pilot;
@@ -245,13 +244,14 @@ StudyWork shaking_work(const PreparedStudy& ready, const HistoryPlan& plan)
     return work;
 }
 
-void check_size(const Study& study, const HistoryPlan& plan)
+void check_size(const Masonry& masonry, const Sampling& sampling, const LoadInput& load,
+                const StudyFile& source, const HistoryPlan& plan)
 {
-    const double all = static_cast<double>(histories_per_wall(plan)) *
-                       samples_of(study.geometry, study.uq, study.random);
-    if (all * static_cast<double>(study.load.vertical_stress.size()) >
+    const double all =
+        static_cast<double>(histories_per_wall(plan)) * samples_of(masonry.geometry, sampling);
+    if (all * static_cast<double>(load.vertical_stress.size()) >
         static_cast<double>(kMostWalls))
-        throw error_at(study.source, "shaking.records",
+        throw error_at(source, "shaking.records",
                        "make more than a hundred million histories; take fewer records, "
                        "intensities or samples");
 }
@@ -275,8 +275,7 @@ void run_histories(const PreparedStudy& ready, const HistoryPlan& plan,
     std::map<std::uint32_t, std::vector<WallKey>> of_layout; // by its seed
     for (const WallKey& key : order) {
         const std::size_t wall = history_of(plan, key.sample).wall;
-        of_layout[layout_seed(study.wall, study.geometry, static_cast<std::uint32_t>(wall))]
-            .push_back(key);
+        of_layout[layout_seed(study, static_cast<std::uint32_t>(wall))].push_back(key);
     }
     for (const auto& layout : of_layout) {
         const std::vector<WallKey>& some = layout.second;
@@ -306,7 +305,7 @@ int shake_study_command(const Command& command)
     PreparedStudy ready = prepare(read_study(command.study, command.overrides));
     Study& study = ready.study;
     const HistoryPlan plan = history_plan(ready);
-    check_size(study, plan);
+    check_size(study, study, study.load, study.source, plan);
     study.solver.kinematics = dem::Kinematics::finite; // whatever the default of a push
     std::cerr << study_notes(ready, command.verb);
     if (!command.script.empty()) return write_slurm_script(shaking_work(ready, plan), command);
@@ -319,9 +318,9 @@ int shake_study_command(const Command& command)
     if (file.has_parent_path()) make_folder(file.parent_path());
     if (fs::exists(file)) refuse_changed_records(study.source, plan, file);
     catch_interrupts();
-    const std::vector<std::uint32_t> sizes =
-        wall_sizes(study.geometry, study.uq, study.random, plan, file);
-    const SamplePlan samples = sample_plan(study, ready.layout, sizes);
+    const std::vector<std::uint32_t> sizes = wall_sizes(study.geometry, study, plan, file);
+    const SamplePlan samples =
+        sample_plan(study, study.load, study.source, ready.layout, sizes);
     StoreHead head = history_head(study, plan, samples, sizes);
     head.shard = static_cast<std::uint32_t>(command.shard.index);
     head.shards = static_cast<std::uint32_t>(command.shard.count);

@@ -10,6 +10,8 @@
 
 namespace app {
 
+struct StudyFile;
+
 /// Whether the study says how the ground moves: its verb study shakes walls.
 [[nodiscard]] bool is_shaken(const StudyFile& file);
 

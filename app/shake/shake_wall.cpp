@@ -14,10 +14,11 @@ namespace app {
 
 PreparedStudy shaken_study(PreparedStudy ready, int sample)
 {
-    check_shaken_study(ready.study);
+    check_shaken_study(ready.study, ready.study.parameters, ready.study.solver,
+                       ready.study.shaking, ready.study.source);
     if (has_layouts(ready.study.geometry))
-        ready = in_layout(ready.study, layout_seed(ready.study.wall, ready.study.geometry,
-                                                   static_cast<std::uint32_t>(sample)));
+        ready = in_layout(ready.study,
+                          layout_seed(ready.study, static_cast<std::uint32_t>(sample)));
     ready.study.solver.kinematics = dem::Kinematics::finite; // whatever the default of a push
     return ready;
 }

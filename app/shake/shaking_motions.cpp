@@ -139,19 +139,20 @@ dem::ShakePlan shake_plan(const LoadInput& load, const ShakingInput& shaking,
     return plan;
 }
 
-void check_shaken_study(const Study& study)
+void check_shaken_study(const Masonry& masonry, const Parameters& parameters,
+                        const dem::SolverOptions& solver, const ShakingInput& shaking,
+                        const StudyFile& source)
 {
-    if (is_given(study.source, "solver.kinematics") &&
-        study.solver.kinematics == dem::Kinematics::small)
-        throw error_at(study.source, "solver.kinematics",
+    if (is_given(source, "solver.kinematics") && solver.kinematics == dem::Kinematics::small)
+        throw error_at(source, "solver.kinematics",
                        "a wall that is shaken turns by any amount; write finite, or remove it");
-    if (study.wall.toe == dem::Toe::held && study.wall.base == dem::Base::joint &&
-        in_courses(study.geometry))
-        throw error_at(study.source, "wall.toe",
+    if (masonry.wall.toe == dem::Toe::held && masonry.wall.base == dem::Base::joint &&
+        in_courses(masonry.geometry))
+        throw error_at(source, "wall.toe",
                        "is held sideways, and the blocks of a wall that is shaken are held "
                        "altogether or not at all; write toe = free");
-    if (study.shaking.contact_damping > 0.0 && closes(study.parameters.joint))
-        throw error_at(study.source, "shaking.contact_damping",
+    if (shaking.contact_damping > 0.0 && closes(parameters.joint))
+        throw error_at(source, "shaking.contact_damping",
                        "joints that close have no dashpots, they lose energy by "
                        "joint.closure_loss; write 0, or remove joint.closure");
 }

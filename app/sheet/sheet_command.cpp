@@ -57,14 +57,13 @@ void check_pdf(const fs::path& html)
                               "\" is there, and no sheet beside it; write another name");
 }
 
-std::string subtitle(const dem::WallGeometry& wall, const GeometryInput& geometry,
-                     const dem::Beam& beam, const PushedWall& w)
+std::string subtitle(const Masonry& masonry, const dem::Beam& beam, const PushedWall& w)
 {
-    std::string text = number(wall_length(wall, geometry), 4) + " x " +
-                       number(wall_height(wall, geometry), 4) + " x " +
-                       number(wall.thickness, 4) + " m";
+    std::string text = number(wall_length(masonry), 4) + " x " +
+                       number(wall_height(masonry), 4) + " x " +
+                       number(masonry.wall.thickness, 4) + " m";
     const MaterialPreset* const material =
-        find_material(kMaterialNames.at(static_cast<std::size_t>(geometry.material)));
+        find_material(kMaterialNames.at(static_cast<std::size_t>(masonry.geometry.material)));
     if (material != nullptr) text += ", " + std::string(material->meaning);
     if (!beam.present) return text + ", without a load on its top";
     return text + ", " + stress_text(w.vertical_stress) + " of vertical stress on its top";
@@ -198,11 +197,13 @@ Sheet sheet_of(const Study& study, const dem::Layout& layout, const PushedWall& 
     const ReadingRules rules = reading_rules(study);
     Sheet s;
     s.title = title_of(command);
-    s.subtitle = subtitle(study.wall, study.geometry, study.beam, w);
-    s.answer = answer_sentences(study, layout, w);
+    s.subtitle = subtitle(study, study.beam, w);
+    s.answer = answer_sentences(study.load, study.fragility,
+                                hand_checks(study, layout, w).vertical_load, w);
     s.moves = moving_part(study.load);
     s.drift_words = drift_words(study.load);
-    s.drawing = wall_drawing(scene_units(study.geometry, whole_units(study)), 330.0, 250.0);
+    s.drawing = wall_drawing(scene_units(study.geometry, whole_units(study, study.source)),
+                             330.0, 250.0);
     s.curve = line_chart(sheet_curve(rules, w));
     s.mechanism = mechanism_of(study.beam, study.load, study.fragility, layout, w);
     s.limits = limits_of(rules, w, walls);
@@ -263,11 +264,10 @@ int sheet_command(const Command& command)
     const Study used = study.random.empty() ? study : with_drawn(study, wanted.front());
     const fs::path out = command.out;
     if (out.has_parent_path()) make_folder(out.parent_path());
-    write_file(out,
-               sheet_page(sheet_of(used, source.ready.layout, wall, stored ? &*stored : nullptr,
-                                   wanted.front().level, command)));
-    for (const std::string& s : answer_sentences(used, source.ready.layout, wall))
-        std::cout << wrapped(s + "\n", terminal_width());
+    const Sheet sheet = sheet_of(used, source.ready.layout, wall, stored ? &*stored : nullptr,
+                                 wanted.front().level, command);
+    write_file(out, sheet_page(sheet));
+    for (const std::string& s : sheet.answer) std::cout << wrapped(s + "\n", terminal_width());
     std::cout << out.string() << " written\n"
               << wrapped(print_pdf(out, pdf_of(out)) + "\n", terminal_width());
     return 0;

@@ -204,15 +204,15 @@ std::string drift_words(const LoadInput& load)
            std::string(height_words(load)) + ".";
 }
 
-std::vector<std::string> answer_sentences(const Study& study, const dem::Layout& layout,
+std::vector<std::string> answer_sentences(const LoadInput& load,
+                                          const FragilityInput& fragility, double vertical_load,
                                           const PushedWall& wall)
 {
     if (!wall.reading.no_reading.empty())
         return {sentence("No curve can be read: " + wall.reading.no_reading)};
-    std::vector<std::string> all = {
-        strength_sentence(study.load, wall, hand_checks(study, layout, wall).vertical_load),
-        limit_sentence(study.load, study.fragility, wall)};
-    if (!came_down_at_once(wall)) all.push_back(failure_sentence(study.load, wall));
+    std::vector<std::string> all = {strength_sentence(load, wall, vertical_load),
+                                    limit_sentence(load, fragility, wall)};
+    if (!came_down_at_once(wall)) all.push_back(failure_sentence(load, wall));
     return all;
 }
 
@@ -227,7 +227,7 @@ std::vector<Assumption> assumptions(const Study& study, std::size_t most)
              std::string(effect), how_much(study.parameters.joint, key)});
     };
     for (const LimitChoice& choice : limit_choices(study)) add(choice.key, choice.effect);
-    if (has_cracks(study.geometry, study.cracks, study.source))
+    if (has_cracks(study, study.source))
         all.push_back({"unit.cracks = " + (study.cracks.pattern.empty() ? std::string("mid")
                                                                         : study.cracks.pattern),
                        "stones crack along lines that are given beforehand, and nowhere else",
@@ -246,7 +246,7 @@ std::vector<std::string> certainty_sentences(const Study& study, const PushedWal
     };
     add(no_limit_remark(study.load, study.solver, study.fragility, wall.reading));
     add(no_yield_remark(wall.reading));
-    if (wall.piers.empty()) add(pier_remark(reading_rules(study), study.wall, study.geometry));
+    if (wall.piers.empty()) add(pier_remark(reading_rules(study), study));
     if (stored != nullptr) {
         add(spread_sentence(*stored, level));
         const std::string piers = pier_counts(*stored, stored->levels.at(level));

@@ -29,8 +29,11 @@ struct Assumption {
 [[nodiscard]] std::string drift_words(const LoadInput& load);
 
 /// A few sentences that answer how much the wall carries, how far it goes, and how it fails.
-[[nodiscard]] std::vector<std::string>
-answer_sentences(const Study& study, const dem::Layout& layout, const PushedWall& wall);
+/// @param vertical_load as HandChecks
+[[nodiscard]] std::vector<std::string> answer_sentences(const LoadInput& load,
+                                                        const FragilityInput& fragility,
+                                                        double vertical_load,
+                                                        const PushedWall& wall);
 
 /// The choices that move the answer most, at most `most`.
 [[nodiscard]] std::vector<Assumption> assumptions(const Study& study, std::size_t most);

@@ -1,5 +1,7 @@
 #include "app/study/push_layouts.hpp"
 
+#include "app/input/keys/limit_state_text.hpp"
+
 #include "app/input/wall/random_layouts.hpp"
 #include "dem/block/model.hpp"
 
@@ -22,13 +24,12 @@ struct Group {
 };
 
 /// In the order of their first walls.
-std::vector<Group> groups_of(const dem::WallGeometry& wall, const GeometryInput& geometry,
-                             std::size_t size, const SampleOf& sample)
+std::vector<Group> groups_of(const Masonry& masonry, std::size_t size, const SampleOf& sample)
 {
     std::vector<Group> groups;
     std::map<std::uint32_t, std::size_t> places;
     for (std::size_t i = 0; i < size; ++i) {
-        const std::uint32_t seed = layout_seed(wall, geometry, sample(i));
+        const std::uint32_t seed = layout_seed(masonry, sample(i));
         const auto [at, first] = places.try_emplace(seed, groups.size());
         if (first) groups.push_back({seed, {}});
         groups[at->second].walls.push_back(i);
@@ -121,7 +122,9 @@ class LayoutRun {
     {
         for (const std::size_t i : group.walls) {
             const std::optional<WantedWall> wanted = list_.wall(i);
-            if (wanted) hand_on(i, wanted->draw, no_wall(study_, wanted->level, why));
+            if (wanted)
+                hand_on(i, wanted->draw,
+                        no_wall(reading_rules(study_), study_.load, wanted->level, why));
         }
     }
 
@@ -146,9 +149,7 @@ void push_in_layouts(const PreparedStudy& ready, const dem::PushPlan& plan,
     if (list.size == 0) return;
     if (!has_layouts(study.geometry))
         return push_walls(study, model_of(ready), plan, list, threads);
-    LayoutRun(study, plan, list, groups_of(study.wall, study.geometry, list.size, sample),
-              threads)
-        .run();
+    LayoutRun(study, plan, list, groups_of(study, list.size, sample), threads).run();
 }
 
 } // namespace app

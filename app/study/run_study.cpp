@@ -78,7 +78,7 @@ void work_on(const PreparedStudy& ready, const StudyRun& run,
 {
     const Study& study = ready.study;
     refuse_other_deal(study.geometry, run);
-    const SamplePlan plan = sample_plan(study, ready.layout, sizes);
+    const SamplePlan plan = sample_plan(study, study.load, study.source, ready.layout, sizes);
     StoreHead head = head_of(study, ready.layout, plan, sizes);
     head.shard = static_cast<std::uint32_t>(run.shard.index);
     head.shards = static_cast<std::uint32_t>(run.shard.count);
@@ -110,8 +110,7 @@ StudyRunEnd run_study(const PreparedStudy& ready, const StudyRun& run)
 {
     const Study& study = ready.study;
     if (run.file.has_parent_path()) make_folder(run.file.parent_path());
-    std::vector<std::uint32_t> sizes =
-        design_sizes(study.geometry, study.uq, study.random, run.file);
+    std::vector<std::uint32_t> sizes = design_sizes(study.geometry, study, run.file);
     StudyRunEnd end;
     work_on(ready, run, sizes, end);
     if (study.uq.stop == kNoStop || !is_random(study.geometry, study.random)) return end;

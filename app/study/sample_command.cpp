@@ -38,13 +38,13 @@ Table head_of(const GeometryInput& geometry, const SamplePlan& plan)
     return t;
 }
 
-Row row(const dem::WallGeometry& wall, const GeometryInput& geometry, const LoadInput& load,
-        const SamplePlan& plan, int level, int sample)
+Row row(const Masonry& masonry, const LoadInput& load, const SamplePlan& plan, int level,
+        int sample)
 {
     const double stress = load.vertical_stress[level];
     Row cells = {count(level), Number{from_si(stress, "MPa")}, count(sample)};
-    if (has_layouts(geometry))
-        cells.push_back(count(layout_seed(wall, geometry, static_cast<std::uint32_t>(sample))));
+    if (has_layouts(masonry.geometry))
+        cells.push_back(count(layout_seed(masonry, static_cast<std::uint32_t>(sample))));
     const std::vector<double> values = flattened(draw(plan, level, sample));
     const std::vector<std::string_view> units = units_of(plan);
     for (std::size_t k = 0; k < values.size(); ++k)
@@ -67,12 +67,13 @@ int sample_command(const Command& command)
             check_replaced(command.out, "level,vertical_stress [MPa],sample");
         !command.quiet)
         std::cerr << note;
-    const SamplePlan plan = sample_plan(study, source.ready.layout, source.sizes);
+    const SamplePlan plan =
+        sample_plan(study, study.load, study.source, source.ready.layout, source.sizes);
     Table table = head_of(study.geometry, plan);
     for (std::size_t level = 0; level < study.load.vertical_stress.size(); ++level)
         for (std::uint32_t sample = 0; sample < source.sizes.back(); ++sample)
-            table.rows.push_back(row(study.wall, study.geometry, study.load, plan,
-                                     static_cast<int>(level), static_cast<int>(sample)));
+            table.rows.push_back(row(study, study.load, plan, static_cast<int>(level),
+                                     static_cast<int>(sample)));
     const std::filesystem::path file = command.out;
     if (file.has_parent_path()) make_folder(file.parent_path());
     write_file(file, as_csv(table));

@@ -90,21 +90,20 @@ int limit_minutes(double expected)
     return static_cast<int>(std::ceil(std::max(60.0, 2.0 * expected + 15.0)));
 }
 
-std::size_t wall_count(const Study& study)
+std::size_t wall_count(const Masonry& masonry, const LoadInput& load, const Sampling& sampling)
 {
-    return study.load.vertical_stress.size() *
-           samples_of(study.geometry, study.uq, study.random);
+    return load.vertical_stress.size() * samples_of(masonry.geometry, sampling);
 }
 
 /// Walls that would take as long as all pushes of the study and of its audit.
 double effort(const PreparedStudy& ready)
 {
     const Study& study = ready.study;
-    const std::uint32_t audit = std::min<std::uint32_t>(
-        samples_of(study.geometry, study.uq, study.random), study.uq.audit);
+    const std::uint32_t audit =
+        std::min<std::uint32_t>(samples_of(study.geometry, study), study.uq.audit);
     const double ways =
         pushes_both_ways(study.geometry, study.load, study.source, ready.layout) ? 2.0 : 1.0;
-    return ways * static_cast<double>(wall_count(study)) +
+    return ways * static_cast<double>(wall_count(study, study.load, study)) +
            static_cast<double>(study.load.vertical_stress.size()) * audit * kAuditSlower;
 }
 
@@ -122,12 +121,12 @@ int shard_count(const StudyWork& work, int threads)
 double seconds_per_wall(const PreparedStudy& ready)
 {
     const Study& study = ready.study;
-    const std::vector<std::uint32_t> sizes = {
-        samples_of(study.geometry, study.uq, study.random)};
-    const SamplePlan plan = sample_plan(study, ready.layout, sizes);
+    const std::vector<std::uint32_t> sizes = {samples_of(study.geometry, study)};
+    const SamplePlan plan = sample_plan(study, study.load, study.source, ready.layout, sizes);
     const int levels = static_cast<int>(study.load.vertical_stress.size());
     PushList pilot;
-    pilot.size = std::min<std::size_t>(dem::solver_lanes(), wall_count(study));
+    pilot.size =
+        std::min<std::size_t>(dem::solver_lanes(), wall_count(study, study.load, study));
     pilot.wall = [&](std::size_t i) -> WantedWall {
         const int level = static_cast<int>(i) % levels, sample = static_cast<int>(i) / levels;
         return {level, draw(plan, level, sample)};
@@ -137,7 +136,7 @@ double seconds_per_wall(const PreparedStudy& ready)
         seconds += wall.result.cost.seconds;
     };
     push_in_layouts(
-        ready, bare_plan(study), pilot,
+        ready, bare(push_plan(study)), pilot,
         [&](std::size_t i) {
             return static_cast<std::uint32_t>(i) / static_cast<std::uint32_t>(levels);
         },
@@ -188,7 +187,12 @@ double seconds_of(const StudyWork& work, int shards)
 StudyWork pushing_work(const PreparedStudy& ready)
 {
     const double each = seconds_per_wall(ready);
-    return {wall_count(ready.study), "walls", each, effort(ready) * each, 0, 0.0};
+    return {wall_count(ready.study, ready.study.load, ready.study),
+            "walls",
+            each,
+            effort(ready) * each,
+            0,
+            0.0};
 }
 
 int write_slurm_script(const StudyWork& work, const Command& command)

@@ -46,21 +46,21 @@ std::string resumed_text(const StudyRunEnd& end)
 }
 
 /// Warns of a shard that cannot tell of every stress.
-void say_levels(const Study& study, Shard shard)
+void say_levels(const Masonry& masonry, const LoadInput& load, const Sampling& sampling,
+                Shard shard)
 {
     StoreHead head;
-    for (const double stress : study.load.vertical_stress)
-        head.levels.push_back({stress, samples_of(study.geometry, study.uq, study.random)});
+    for (const double stress : load.vertical_stress)
+        head.levels.push_back({stress, samples_of(masonry.geometry, sampling)});
     std::set<std::uint32_t> here;
-    for (const WallKey wall : walls_of(head, shard, deal_of(study.geometry)))
+    for (const WallKey wall : walls_of(head, shard, deal_of(masonry.geometry)))
         here.insert(wall.level);
     if (here.size() == head.levels.size()) return;
     std::cerr << wrapped(
         "note: this shard has walls under " + std::to_string(here.size()) + " of " +
             std::to_string(head.levels.size()) + " stresses because there are fewer samples (" +
-            std::to_string(samples_of(study.geometry, study.uq, study.random)) +
-            ") than shards (" + std::to_string(shard.count) +
-            "); alone it says nothing about the others\n",
+            std::to_string(samples_of(masonry.geometry, sampling)) + ") than shards (" +
+            std::to_string(shard.count) + "); alone it says nothing about the others\n",
         terminal_width());
 }
 
@@ -123,7 +123,7 @@ int study_command(const Command& command, const FrameTaker& frames)
     run.rerun_failed = command.rerun_failed;
     run.frames = frames;
     if (command.shard.count == 1) check_summary(run.file);
-    if (!command.quiet) say_levels(study, run.shard);
+    if (!command.quiet) say_levels(study, study.load, study, run.shard);
     catch_interrupts();
     const StudyRunEnd end = run_with_line(ready, run, command.quiet);
     const StudySummary summary = study_summary(run.file, command.shard.count == 1);

@@ -97,8 +97,10 @@ RunProgress run_walls(const PreparedStudy& ready, const SamplePlan& plan,
     };
     try {
         push_in_layouts(
-            ready, frames ? filmed_plan(ready.study) : bare_plan(ready.study), list,
-            [&](std::size_t i) { return walls[i].sample; }, threads);
+            ready,
+            frames ? filmed(push_plan(ready.study), ready.study.load)
+                   : bare(push_plan(ready.study)),
+            list, [&](std::size_t i) { return walls[i].sample; }, threads);
     } catch (...) {
         rows.flush();
         throw;

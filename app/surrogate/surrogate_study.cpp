@@ -10,9 +10,8 @@ SurrogateStudy surrogate_study(const StudyWalls& walls, const WallNumber& respon
     std::vector<uq::PolynomialFamily> families;
     for (const std::size_t k : s.inputs)
         families.push_back(uq::family_of(*walls.inputs[k].marginal));
-    const bool dependent =
-        dependence_of(walls.study.uq, walls.study.random, walls.study.source).has_value() ||
-        !walls.study.uq.together.empty();
+    const bool dependent = dependence_of(walls.study, walls.study.source).has_value() ||
+                           !walls.study.uq.together.empty();
     for (std::size_t level = 0; level < walls.levels.size(); ++level) {
         s.levels.push_back(
             fit_surrogate(surrogate_points(walls, level, s.inputs, response, most), families,

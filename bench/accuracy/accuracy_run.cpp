@@ -1,5 +1,6 @@
 #include "bench/accuracy/accuracy_run.hpp"
 
+#include "app/input/keys/limit_state_text.hpp"
 #include "app/input/prepared_study.hpp"
 #include "app/sampling/wall_draw.hpp"
 #include "app/study/pushed/pushed_wall.hpp"
@@ -81,7 +82,8 @@ Answer push_answer(const app::Study& study, const dem::SolverOptions& options,
     try {
         dem::PushResult result =
             dem::push(model, materials, limited(app::push_plan(study), most_seconds), options);
-        a = read_answer(app::read_wall(study, 0, std::move(result)));
+        a = read_answer(app::read_wall(app::reading_rules(study), study.load, study.output, 0,
+                                       std::move(result)));
     } catch (const TooDear&) {
         a.outcome = kTooDear;
     }

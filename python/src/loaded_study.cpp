@@ -37,7 +37,7 @@ app::StudySource with_wall(const std::string& path, const std::vector<std::strin
     std::vector<std::string> all = wall;
     all.insert(all.end(), overrides.begin(), overrides.end());
     app::Study study = app::read_study(app::with_overrides(std::move(file), all));
-    const std::uint32_t samples = app::samples_of(study.geometry, study.uq, study.random);
+    const std::uint32_t samples = app::samples_of(study.geometry, study);
     return {app::prepare(std::move(study)), {samples}, {}};
 }
 
@@ -63,8 +63,9 @@ std::shared_ptr<LoadedStudy> load_study(const std::string& path,
 const app::SamplePlan& plan_of(LoadedStudy& study)
 {
     if (!study.plan)
-        study.plan = app::sample_plan(study.source.ready.study, study.source.ready.layout,
-                                      study.source.sizes);
+        study.plan = app::sample_plan(study.source.ready.study, study.source.ready.study.load,
+                                      study.source.ready.study.source,
+                                      study.source.ready.layout, study.source.sizes);
     return *study.plan;
 }
 
@@ -78,8 +79,7 @@ std::shared_ptr<LoadedStudy> study_of(const std::shared_ptr<LoadedStudy>& study,
 {
     const app::Study& all = study->source.ready.study;
     if (!app::has_layouts(all.geometry)) return study;
-    const std::uint32_t seed =
-        app::layout_seed(all.wall, all.geometry, static_cast<std::uint32_t>(sample));
+    const std::uint32_t seed = app::layout_seed(all, static_cast<std::uint32_t>(sample));
     std::shared_ptr<LoadedStudy>& own = study->layouts[seed];
     if (!own) {
         app::StudySource source{app::in_layout(all, seed), study->source.sizes,

@@ -66,7 +66,8 @@ py::array_t<double> sample(const std::vector<std::pair<std::string, std::string>
     std::vector<double> all;
     {
         const py::gil_scoped_release free;
-        const app::SamplePlan plan = app::sample_plan(study, dem::Layout{}, sizes);
+        const app::SamplePlan plan =
+            app::sample_plan(study, study.load, study.source, dem::Layout{}, sizes);
         for (int i = 0; i < study.uq.samples; ++i) {
             const std::vector<double> row = app::flattened(app::draw(plan, 0, i));
             all.insert(all.end(), row.begin(), row.end());

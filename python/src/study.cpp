@@ -41,7 +41,8 @@ int samples(const LoadedStudy& study) { return static_cast<int>(study.source.siz
 
 std::map<std::string, double> bond(const LoadedStudy& study)
 {
-    const dem::Layout whole = app::whole_units(study.source.ready.study);
+    const dem::Layout whole =
+        app::whole_units(study.source.ready.study, study.source.ready.study.source);
     const dem::BondIndices i = dem::bond_indices(whole);
     const dem::QualityTerms q = dem::quality_terms(i, whole);
     return {{"trace", i.trace},

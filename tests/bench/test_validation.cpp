@@ -146,7 +146,7 @@ TEST_CASE("validation: means of a level have the error of the hypercube that it 
           "[app][validation]")
 {
     app::StudyWalls walls = scenes::study_walls(40);
-    REQUIRE(app::in_hypercube(walls.study.uq, walls.study.random));
+    REQUIRE(app::in_hypercube(walls.study));
     const auto level = bench::level_statistics(walls, 0, {0.5, 1});
     std::vector<double> peaks;
     for (const app::StudyWall& w : walls.levels[0].walls)

@@ -150,7 +150,8 @@ const char* walls(const char* text, std::size_t size, int first, int step)
         const Study& study = ready.study;
         const dem::Model model = app::model_of(ready);
         const std::uint32_t samples = study.uq.samples;
-        const app::SamplePlan plan = app::sample_plan(study, model.layout, {&samples, 1});
+        const app::SamplePlan plan =
+            app::sample_plan(study, study.load, study.source, model.layout, {&samples, 1});
         std::vector<int> mine;
         for (int i = first; i < static_cast<int>(samples); i += step) mine.push_back(i);
         dem::Ensemble ensemble;

@@ -109,7 +109,8 @@ Json scene_json(const app::PreparedStudy& ready)
             {"farthest_mm", 1e3 * way.farthest},
             {"direction", way.direction},
             {"stress_MPa", loads.vertical_stress * 1e-6},
-            {"notes", app::effect_notes(study, kPush) + app::joint_law_notes(study)},
+            {"notes", app::effect_notes(study, kPush) +
+                          app::joint_law_notes(study, study.parameters, study.source)},
             {"study", app::effective_configuration(study)}};
 }
 

@@ -158,8 +158,7 @@ DriftData drift_data(const StudyWalls& walls)
     if (const std::string yield = no_yield_remark(walls); !yield.empty())
         data.no_limit += (data.no_limit.empty() ? "" : " ") + yield;
     data.model_text = factor_text(walls.study.solver, walls.study.fragility, Answer::drift);
-    if (const std::string piers =
-            pier_remark(walls.rules, walls.study.wall, walls.study.geometry);
+    if (const std::string piers = pier_remark(walls.rules, walls.study);
         !piers.empty() && walls.piers.empty())
         data.drift += "; " + piers;
     data.group_head = "stress [MPa]";

@@ -50,7 +50,7 @@ void add_mean(const StudyWalls& walls, const StudyLevel& level, const std::strin
     row.emplace_back(plain_number(e.value, decimals));
     row.emplace_back(plain_number(e.std_error, decimals + 1));
     const auto error = hypercube_error(walls, level, v.y, v.member);
-    if (!error && in_hypercube(walls.study.uq, walls.study.random))
+    if (!error && in_hypercube(walls.study))
         return add_row(
             t, row,
             "Fewer than 4 (inputs + 1) = " + std::to_string(4 * (walls.inputs.size() + 1)) +
@@ -64,21 +64,21 @@ void add_mean(const StudyWalls& walls, const StudyLevel& level, const std::strin
 
 } // namespace
 
-bool in_hypercube(const UqInput& uq, const std::vector<RandomInput>& random)
+bool in_hypercube(const Sampling& sampling)
 {
-    const bool latin = uq.design == uq::DesignKind::latin_random ||
-                       uq.design == uq::DesignKind::latin_centred ||
-                       uq.design == uq::DesignKind::latin_optimised;
-    return latin && uq.spatial == Spatial::none && uq.pearson.empty() && uq.together.empty() &&
-           !random.empty();
+    const bool latin = sampling.uq.design == uq::DesignKind::latin_random ||
+                       sampling.uq.design == uq::DesignKind::latin_centred ||
+                       sampling.uq.design == uq::DesignKind::latin_optimised;
+    return latin && sampling.uq.spatial == Spatial::none && sampling.uq.pearson.empty() &&
+           sampling.uq.together.empty() && !sampling.random.empty();
 }
 
 std::optional<double> hypercube_error(const StudyWalls& walls, const StudyLevel& level,
                                       std::span<const double> y,
                                       const std::vector<bool>& member)
 {
-    if (!in_hypercube(walls.study.uq, walls.study.random) ||
-        additive_degree(walls, level) == 0 || std::ranges::count(member, true) < 2)
+    if (!in_hypercube(walls.study) || additive_degree(walls, level) == 0 ||
+        std::ranges::count(member, true) < 2)
         return {};
     return uq::latin_subset_error(y, member, inputs_of(walls, level));
 }

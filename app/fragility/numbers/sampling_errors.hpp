@@ -11,12 +11,11 @@
 
 namespace app {
 
-struct RandomInput;
-struct UqInput;
+struct Sampling;
 
 /// Whether walls come from a Latin hypercube with one value of each input per wall, none of
 /// them correlated.
-[[nodiscard]] bool in_hypercube(const UqInput& uq, const std::vector<RandomInput>& random);
+[[nodiscard]] bool in_hypercube(const Sampling& sampling);
 
 /// Standard error of the mean of y over the walls of the level that are members, under a
 /// hypercube (uq::latin_subset_error); nothing where the study has none, of fewer than two

@@ -129,18 +129,18 @@ EstimatedFactor estimated_factor(std::span<const TestedWall> walls)
     return e;
 }
 
-std::string unlike_tested(const Study& study, double stress, Answer answer)
+std::string unlike_tested(const Masonry& masonry, const Parameters& parameters,
+                          const LoadInput& load, double stress, Answer answer)
 {
-    if (is_drawn(study.geometry) || study.geometry.rubble) return "they are not in courses";
-    if (!study.geometry.openings.empty()) return "they have openings";
-    if (has_mortar(study.parameters.joint)) return "their joints are bonded";
-    if (!study.cracks.in_units) return "their units cannot crack";
-    if (push_way(study.load).direction == 0) return "they are pushed to and fro";
-    if (std::string why = outside("their length is", wall_length(study.wall, study.geometry),
-                                  0.75, 1.25, "m");
+    if (is_drawn(masonry.geometry) || masonry.geometry.rubble) return "they are not in courses";
+    if (!masonry.geometry.openings.empty()) return "they have openings";
+    if (has_mortar(parameters.joint)) return "their joints are bonded";
+    if (!masonry.cracks.in_units) return "their units cannot crack";
+    if (push_way(load).direction == 0) return "they are pushed to and fro";
+    if (std::string why = outside("their length is", wall_length(masonry), 0.75, 1.25, "m");
         !why.empty())
         return why;
-    if (std::string why = outside("their load stands at", study.load.height, 0.80, 1.40, "m");
+    if (std::string why = outside("their load stands at", load.height, 0.80, 1.40, "m");
         !why.empty())
         return why;
     return outside("their vertical stress is", stress / 1e6,
@@ -155,7 +155,7 @@ AppliedFactor applied_factor(const Study& study, double stress, Answer answer)
     if (choice.given) return {*choice.given, "given", {}};
     if (!choice.tests) return {};
     fragility::ModelFactor factor = tests_factor(answer, study.solver.damping).factor;
-    std::string unlike = unlike_tested(study, stress, answer);
+    std::string unlike = unlike_tested(study, study.parameters, study.load, stress, answer);
     if (unlike.empty()) return {factor, "tests", {}};
     factor.median_error = std::hypot(factor.median_error, std::log(factor.median));
     factor.median = 1.0;

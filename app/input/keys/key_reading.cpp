@@ -64,9 +64,9 @@ void read_value(const Key& key, const std::string& text, Study& study)
 
 /// A value to write for a key that is missing. Nothing carries a vertical stress where there is
 /// no beam, so that another example would be refused in turn.
-std::string_view example_of(const Key& key, const Study& study)
+std::string_view example_of(const Key& key, const dem::Beam& beam)
 {
-    return key.name == "load.vertical_stress" && !study.beam.present ? "0 MPa" : key.example;
+    return key.name == "load.vertical_stress" && !beam.present ? "0 MPa" : key.example;
 }
 
 } // namespace
@@ -90,7 +90,7 @@ void read_key(const Key& key, Study& study)
     } else if (!key.example.empty() && is_used(key, study)) {
         throw error_at(study.source, key.name,
                        "missing; write e.g. \"" + std::string(name_in_section(key.name)) +
-                           " = " + std::string(example_of(key, study)) + "\" under [" +
+                           " = " + std::string(example_of(key, study.beam)) + "\" under [" +
                            std::string(section_of(key.name)) + "]");
     }
 }

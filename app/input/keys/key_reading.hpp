@@ -8,6 +8,8 @@
 
 namespace app {
 
+struct StudyFile;
+
 /// @param free_section has names of its own: they are not in the table
 /// @throws ConfigError at the first section or key that is not in the table
 void refuse_unknown(const StudyFile& file, std::span<const Key> keys,

@@ -186,8 +186,7 @@ ReadingRules reading_rules(const Study& study)
     rules.options = {f.ultimate_share, f.crossing, f.bilinear_share};
     rules.mode = f.mode;
     rules.height = study.load.height;
-    rules.slenderness =
-        shear_span(study.beam, study.load) / wall_length(study.wall, study.geometry);
+    rules.slenderness = shear_span(study.beam, study.load) / wall_length(study);
     rules.direction = push_way(study.load).direction;
     rules.backbone = f.backbone;
     rules.accuracy = study.solver.accuracy;

@@ -37,13 +37,13 @@ constexpr std::array kModes = {named("all", 0), named("rigid", 3)};
 /// Top of the beam, or the centre of gravity of what body forces push.
 void derive_load_height(Study& s)
 {
-    const double wall = wall_height(s.wall, s.geometry);
+    const double wall = wall_height(s);
     const double beam = s.beam.present ? s.beam.height : 0.0;
     s.load.height = wall + beam;
     if (s.load.pattern == dem::LoadPattern::beam) return;
-    if (!is_full_rectangle(s.wall, s.geometry)) {
+    if (!is_full_rectangle(s)) {
         s.load.height =
-            dem::gravity_height(whole_units(s), s.parameters.stone, s.beam.material);
+            dem::gravity_height(whole_units(s, s.source), s.parameters.stone, s.beam.material);
         return;
     }
     const double stone = s.parameters.stone.density * wall,

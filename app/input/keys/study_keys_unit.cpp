@@ -23,8 +23,7 @@ using Pattern = dem::CrackPattern;
 /// A test of the patterns of a study.
 template <class Holds> constexpr auto any_crack(Holds)
 {
-    return asks<&Study::geometry, &Study::cracks, &Study::source>(
-        [](auto&... parts) { return any_pattern(parts..., Holds{}); });
+    return +[](const Study& s) { return any_pattern(s, s.source, Holds{}); };
 }
 constexpr Condition kWithCracks{
     any_crack([](const Pattern& p) { return p.kind != Pattern::Kind::none; }),

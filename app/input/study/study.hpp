@@ -4,15 +4,14 @@
 
 #include "app/input/study/calibration_input.hpp"
 #include "app/input/study/fragility_input.hpp"
-#include "app/input/study/geometry_input.hpp"
 #include "app/input/study/load_input.hpp"
+#include "app/input/study/masonry.hpp"
 #include "app/input/study/output_input.hpp"
 #include "app/input/study/parameters.hpp"
-#include "app/input/study/random_input.hpp"
 #include "app/input/study/reliability_input.hpp"
+#include "app/input/study/sampling.hpp"
 #include "app/input/study/shaking_input.hpp"
 #include "app/input/study/study_file.hpp"
-#include "app/input/study/uq_input.hpp"
 #include "dem/block/discretisation.hpp"
 #include "dem/scene/wall.hpp"
 #include "dem/solver/push.hpp"
@@ -22,23 +21,17 @@
 
 namespace app {
 
-struct Study {
-    dem::WallGeometry wall;
-    GeometryInput geometry;
-    CrackInput cracks;
+struct Study : Masonry, Sampling {
     Parameters parameters;
-    dem::Beam beam{.material = {.poisson_ratio = 0.2}}; // choice: concrete
     LoadInput load;
     dem::Fidelity fidelity = dem::Fidelity::standard;
     dem::Discretisation discretisation;
     dem::SolverOptions solver{.kinematics = dem::Kinematics::finite}; // a study asks for limits
     OutputInput output;
-    UqInput uq;
     ReliabilityInput reliability;
     ProgramInput program;
     CalibrationInput calibration;
     FragilityInput fragility;
-    std::vector<RandomInput> random;  ///< in the order of the keys; the fields hold their means
     std::vector<ParameterRule> rules; ///< for parameters that were not given and follow others
     ShakingInput shaking;
     StudyFile source; ///< what was given

@@ -16,12 +16,13 @@ namespace app {
 namespace {
 
 /// The shortest unit or header [m].
-double shortest_unit(const dem::WallGeometry& wall, const GeometryInput& geometry,
-                     const StudyFile& source)
+double shortest_unit(const Masonry& masonry, const StudyFile& source)
 {
-    if (geometry.rubble || wall.bond == dem::Bond::shifted) return wall.unit_length;
+    if (masonry.geometry.rubble || masonry.wall.bond == dem::Bond::shifted)
+        return masonry.wall.unit_length;
     const bool given = find_entry(source, "wall.header_length") != nullptr;
-    return std::min(wall.unit_length, given ? wall.header_length : 0.5 * wall.unit_length);
+    return std::min(masonry.wall.unit_length,
+                    given ? masonry.wall.header_length : 0.5 * masonry.wall.unit_length);
 }
 
 /// Where each course has a height of its own, their number and mean follow.
@@ -34,24 +35,22 @@ void read_course_heights(Study& study)
 }
 
 /// Before anything is laid.
-void check_number(const dem::WallGeometry& wall, const GeometryInput& geometry,
-                  const StudyFile& source)
+void check_number(const Masonry& masonry, const StudyFile& source)
 {
     constexpr double kMostUnits = 1e5;
-    if (unit_count(wall, geometry, source) > kMostUnits)
+    if (unit_count(masonry, source) > kMostUnits)
         throw error_at(source,
-                       shortest_unit(wall, geometry, source) < wall.unit_length
+                       shortest_unit(masonry, source) < masonry.wall.unit_length
                            ? "wall.header_length"
                            : "wall.unit_length",
                        "makes a wall of more than 100000 units; write larger ones");
 }
 
 /// Before any stone grows.
-void check_stones(const dem::WallGeometry& wall, const GeometryInput& geometry,
-                  const StudyFile& source)
+void check_stones(const Masonry& masonry, const StudyFile& source)
 {
     constexpr double kMostStones = 10000; // half a second to lay; pushing them takes days
-    if (unit_count(wall, geometry, source) > kMostStones)
+    if (unit_count(masonry, source) > kMostStones)
         throw error_at(source, "wall.unit_length",
                        "makes a wall of more than 10000 stones; write larger ones, or draw "
                        "the wall");
@@ -79,30 +78,29 @@ void read_openings(Study& study)
 
 } // namespace
 
-double unit_count(const dem::WallGeometry& wall, const GeometryInput& geometry,
-                  const StudyFile& source)
+double unit_count(const Masonry& masonry, const StudyFile& source)
 {
-    return wall.courses * (wall.length / shortest_unit(wall, geometry, source));
+    return masonry.wall.courses * (masonry.wall.length / shortest_unit(masonry, source));
 }
 
 void read_built_wall(Study& study)
 {
     if (!study.geometry.rubble) read_course_heights(study);
-    check_number(study.wall, study.geometry, study.source);
-    if (study.geometry.rubble) check_stones(study.wall, study.geometry, study.source);
+    check_number(study, study.source);
+    if (study.geometry.rubble) check_stones(study, study.source);
     read_unit_cracks(study);
     read_openings(study);
 }
 
-void grow_rubble(Study& study)
+void grow_rubble(Masonry& masonry)
 {
-    if (!study.geometry.rubble) return;
-    const dem::WallGeometry& wall = study.wall;
-    study.geometry.units.clear();
+    if (!masonry.geometry.rubble) return;
+    const dem::WallGeometry& wall = masonry.wall;
+    masonry.geometry.units.clear();
     for (dem::Outline& outline :
          dem::rubble({wall.length, dem::top_of_course(wall, wall.courses), wall.unit_length,
                       wall.course_height, wall.seed}))
-        study.geometry.units.push_back({std::move(outline), 0});
+        masonry.geometry.units.push_back({std::move(outline), 0});
 }
 
 } // namespace app

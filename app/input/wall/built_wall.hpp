@@ -6,19 +6,18 @@
 
 namespace app {
 
-struct GeometryInput;
+struct Masonry;
 struct Study;
 struct StudyFile;
 
 /// Number of units of a wall in courses, without openings, or of mean stones of rubble.
-[[nodiscard]] double unit_count(const dem::WallGeometry& wall, const GeometryInput& geometry,
-                                const StudyFile& source);
+[[nodiscard]] double unit_count(const Masonry& masonry, const StudyFile& source);
 
 /// Reads the heights of courses, the patterns of cracks and the openings.
 /// @throws ConfigError
 void read_built_wall(Study& study);
 
 /// Fills a wall of rubble with the stones of its seed.
-void grow_rubble(Study& study);
+void grow_rubble(Masonry& masonry);
 
 } // namespace app

@@ -83,10 +83,10 @@ void note_floor(const std::vector<dem::Block>& blocks, std::vector<std::string>&
 
 } // namespace
 
-void require_level_top(const GeometryInput& geometry, const dem::Beam& beam)
+void require_level_top(const Masonry& masonry)
 {
-    if (!beam.present) return;
-    const std::vector<dem::Block> blocks = blocks_of(geometry);
+    if (!masonry.beam.present) return;
+    const std::vector<dem::Block> blocks = blocks_of(masonry.geometry);
     if (level_length(blocks) > 0.0) return;
     throw BadValue("no block has a level side at the highest point of the wall, " +
                    metres(top_of(blocks)) +
@@ -95,11 +95,11 @@ void require_level_top(const GeometryInput& geometry, const dem::Beam& beam)
                    "and load.vertical_stress = 0 MPa");
 }
 
-std::vector<std::string> notes_of_ends(const GeometryInput& geometry, const dem::Beam& beam)
+std::vector<std::string> notes_of_ends(const Masonry& masonry)
 {
-    const std::vector<dem::Block> blocks = blocks_of(geometry);
+    const std::vector<dem::Block> blocks = blocks_of(masonry.geometry);
     std::vector<std::string> notes;
-    if (beam.present) note_top(blocks, notes);
+    if (masonry.beam.present) note_top(blocks, notes);
     note_floor(blocks, notes);
     return notes;
 }

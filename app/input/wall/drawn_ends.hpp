@@ -8,15 +8,14 @@
 
 namespace app {
 
-struct GeometryInput;
+struct Masonry;
 
 /// @throws BadValue if the study has a beam and no block has a level side at the top for it to
 /// lie on
-void require_level_top(const GeometryInput& geometry, const dem::Beam& beam);
+void require_level_top(const Masonry& masonry);
 
 /// Notes where the beam does not lie on the whole wall, and where not all of the lowest blocks
 /// stand on the floor.
-[[nodiscard]] std::vector<std::string> notes_of_ends(const GeometryInput& geometry,
-                                                     const dem::Beam& beam);
+[[nodiscard]] std::vector<std::string> notes_of_ends(const Masonry& masonry);
 
 } // namespace app

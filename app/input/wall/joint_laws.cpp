@@ -158,58 +158,21 @@ void check_modulus_stress(const StudyFile& source, const JointInput& joint)
                        std::string(kLawInstead));
 }
 
-void check_fit(const Study& study)
+void check_fit(const Masonry& masonry, const Parameters& parameters, const LoadInput& load,
+               const StudyFile& source)
 {
-    const Parameters p = with_modulus_stress(study.parameters, study.load, study.source);
-    check_modulus_stress(study.source, p.joint);
+    const Parameters p = with_modulus_stress(parameters, load, source);
+    check_modulus_stress(source, p.joint);
     for (const double modulus : p.joint.wall_modulus)
-        check_wall_modulus(study.wall, study.parameters.stone, study.source, modulus);
-    const dem::ClosureFit fit = closure_fit(p, study.wall.course_height);
+        check_wall_modulus(masonry.wall, parameters.stone, source, modulus);
+    const dem::ClosureFit fit = closure_fit(p, masonry.wall.course_height);
     const bool stiffens = fit.maximum > 0.0 && std::isfinite(fit.maximum);
     if (stiffens && fit.initial_stiffness > 0.0) return;
-    refuse_law(study.source, "joint.wall_modulus",
+    refuse_law(source, "joint.wall_modulus",
                std::string("no law of closure has these moduli: k_n by Eq. 2 ") +
                    (stiffens ? "grows by more than in proportion to the stress"
                              : "does not grow with the stress") +
                    "; write other moduli, " + std::string(kLawInstead));
-}
-
-/// The stiffness that joints have under the stress of each wall.
-void check_closed_stiffness(const JointInput& joint, const LoadInput& load,
-                            const StudyFile& source)
-{
-    const dem::Closing& c = joint.closing;
-    check_not_too_soft(joint, source, "joint.initial_stiffness", c.initial_stiffness);
-    for (const double stress : load.vertical_stress)
-        if (!(dem::closed_stiffness(c, stress) <= kStiffest))
-            refuse_law(source, "joint.maximum_closure",
-                       "makes joints stiffer than 1e+06 GPa/m under " +
-                           quantity_text(stress, "MPa") + "; write a larger value");
-    if (c.stiffest < c.initial_stiffness)
-        refuse_law(source, "joint.largest_stiffness",
-                   "must be at least joint.initial_stiffness, " +
-                       quantity_text(c.initial_stiffness, "GPa/m"));
-    const double most = dem::kMostStiffening * c.initial_stiffness;
-    if (c.stiffest > most)
-        refuse_law(source, "joint.largest_stiffness",
-                   "must be at most " + number(dem::kMostStiffening, 4) +
-                       " times joint.initial_stiffness, " + quantity_text(most, "GPa/m"));
-}
-
-/// Tension and shear share one damage then, whose contacts unload to the origin.
-void check_mixed_modes(const Study& study)
-{
-    const std::string key(mixed_mode_key(
-        study.parameters, has_cracks(study.geometry, study.cracks, study.source)));
-    if (key.empty()) return;
-    if (study.solver.law == dem::ContactLaw::uncoupled)
-        refuse_law(study.source, "unit.contact_law",
-                   "tension and shear share one damage where " + key +
-                       " is given; write coupled, or remove " + key);
-    if (study.solver.unloading == dem::Unloading::elastic)
-        refuse_law(study.source, "unit.unloading",
-                   "open cracks unload to the origin where " + key +
-                       " is given; write secant, or remove " + key);
 }
 
 std::string closure_note(const dem::WallGeometry& wall, const Parameters& parameters)
@@ -238,30 +201,59 @@ std::string lost_tension(std::string_view section, const std::string& of, double
 
 } // namespace
 
-void check_stiffness(const Study& study)
+void check_stiffness(const Masonry& masonry, const Parameters& parameters,
+                     const LoadInput& load, const StudyFile& source)
 {
-    const JointInput& joint = study.parameters.joint;
+    const JointInput& joint = parameters.joint;
     if (closes(joint)) {
-        check_levels_differ(study.load, study.source);
-        check_closure_given(study.parameters.joint, study.source);
-        if (!joint.wall_modulus.empty()) check_fit(study);
+        check_levels_differ(load, source);
+        check_closure_given(parameters.joint, source);
+        if (!joint.wall_modulus.empty()) check_fit(masonry, parameters, load, source);
     } else {
-        check_constant_stiffness(study.parameters.joint, study.load, study.source);
+        check_constant_stiffness(parameters.joint, load, source);
         for (const double modulus : joint.wall_modulus)
-            check_wall_modulus(study.wall, study.parameters.stone, study.source, modulus);
+            check_wall_modulus(masonry.wall, parameters.stone, source, modulus);
         for (const double kn : joint.normal_stiffness)
-            check_not_too_soft(study.parameters.joint, study.source, "joint.normal_stiffness",
-                               kn);
+            check_not_too_soft(parameters.joint, source, "joint.normal_stiffness", kn);
     }
-    check_count(study.load, study.source, "joint.shear_stiffness",
-                joint.shear_stiffness.size());
+    check_count(load, source, "joint.shear_stiffness", joint.shear_stiffness.size());
 }
 
-void check_joint_laws(const Study& study)
+void check_closed_stiffness(const JointInput& joint, const LoadInput& load,
+                            const StudyFile& source)
 {
-    if (closes(study.parameters.joint))
-        check_closed_stiffness(study.parameters.joint, study.load, study.source);
-    check_mixed_modes(study);
+    if (!closes(joint)) return;
+    const dem::Closing& c = joint.closing;
+    check_not_too_soft(joint, source, "joint.initial_stiffness", c.initial_stiffness);
+    for (const double stress : load.vertical_stress)
+        if (!(dem::closed_stiffness(c, stress) <= kStiffest))
+            refuse_law(source, "joint.maximum_closure",
+                       "makes joints stiffer than 1e+06 GPa/m under " +
+                           quantity_text(stress, "MPa") + "; write a larger value");
+    if (c.stiffest < c.initial_stiffness)
+        refuse_law(source, "joint.largest_stiffness",
+                   "must be at least joint.initial_stiffness, " +
+                       quantity_text(c.initial_stiffness, "GPa/m"));
+    const double most = dem::kMostStiffening * c.initial_stiffness;
+    if (c.stiffest > most)
+        refuse_law(source, "joint.largest_stiffness",
+                   "must be at most " + number(dem::kMostStiffening, 4) +
+                       " times joint.initial_stiffness, " + quantity_text(most, "GPa/m"));
+}
+
+void check_mixed_modes(const Masonry& masonry, const Parameters& parameters,
+                       const dem::SolverOptions& solver, const StudyFile& source)
+{
+    const std::string key(mixed_mode_key(parameters, has_cracks(masonry, source)));
+    if (key.empty()) return;
+    if (solver.law == dem::ContactLaw::uncoupled)
+        refuse_law(source, "unit.contact_law",
+                   "tension and shear share one damage where " + key +
+                       " is given; write coupled, or remove " + key);
+    if (solver.unloading == dem::Unloading::elastic)
+        refuse_law(source, "unit.unloading",
+                   "open cracks unload to the origin where " + key +
+                       " is given; write secant, or remove " + key);
 }
 
 bool is_fitted_closure(const JointInput& joint)
@@ -278,17 +270,17 @@ std::string fit_residuals(const dem::WallGeometry& wall, const Parameters& param
     return text + " %";
 }
 
-std::string joint_law_notes(const Study& study)
+std::string joint_law_notes(const Masonry& masonry, const Parameters& parameters,
+                            const StudyFile& source)
 {
-    const dem::CrackParameters& unit = study.parameters.unit;
-    const JointInput& joint = study.parameters.joint;
+    const dem::CrackParameters& unit = parameters.unit;
+    const JointInput& joint = parameters.joint;
     constexpr auto kCoulomb = dem::Envelope::coulomb;
-    std::string notes = closure_note(study.wall, study.parameters);
-    if (has_cracks(study.geometry, study.cracks, study.source) && unit.envelope == kCoulomb &&
-        unit.tension_reduces_shear)
+    std::string notes = closure_note(masonry.wall, parameters);
+    if (has_cracks(masonry, source) && unit.envelope == kCoulomb && unit.tension_reduces_shear)
         notes += lost_tension("unit", "units", unit.tensile_strength, unit.cohesion,
                               unit.friction_angle);
-    if (has_mortar(study.parameters.joint) && joint.envelope == kCoulomb)
+    if (has_mortar(parameters.joint) && joint.envelope == kCoulomb)
         notes += lost_tension("joint", "mortar", joint.tensile_strength, joint.cohesion,
                               joint.friction_angle);
     return notes;

@@ -18,25 +18,24 @@ bool is_random(const GeometryInput& geometry, const std::vector<RandomInput>& ra
     return !random.empty() || has_layouts(geometry);
 }
 
-std::uint32_t layout_seed(const dem::WallGeometry& wall, const GeometryInput& geometry,
-                          std::uint32_t sample)
+std::uint32_t layout_seed(const Masonry& masonry, std::uint32_t sample)
 {
-    return wall.seed + sample % static_cast<std::uint32_t>(geometry.layouts);
+    return masonry.wall.seed + sample % static_cast<std::uint32_t>(masonry.geometry.layouts);
 }
 
-void check_layouts(const Study& study)
+void check_layouts(const Masonry& masonry, const UqInput& uq, const StudyFile& source)
 {
-    if (!has_layouts(study.geometry)) return;
-    const GeometryInput& g = study.geometry;
-    if (study.wall.seed + static_cast<double>(g.layouts) - 1.0 > kMostSeed)
-        throw error_at(study.source, "wall.layouts",
+    if (!has_layouts(masonry.geometry)) return;
+    const GeometryInput& g = masonry.geometry;
+    if (masonry.wall.seed + static_cast<double>(g.layouts) - 1.0 > kMostSeed)
+        throw error_at(source, "wall.layouts",
                        "wall.seed + wall.layouts would pass 1e9; write a smaller wall.seed");
-    if (study.uq.spatial != Spatial::none)
-        throw error_at(study.source, "uq.spatial",
+    if (uq.spatial != Spatial::none)
+        throw error_at(source, "uq.spatial",
                        "joints of two layouts have nothing in common; write none, or "
                        "wall.layouts = 1");
-    if (study.cracks.where == "needed")
-        throw error_at(study.source, "unit.cracks_where",
+    if (masonry.cracks.where == "needed")
+        throw error_at(source, "unit.cracks_where",
                        "needed is found for one layout; write toe or a region, or "
                        "wall.layouts = 1");
 }

@@ -9,9 +9,10 @@
 namespace app {
 
 struct GeometryInput;
+struct Masonry;
 struct RandomInput;
-struct Study;
 struct StudyFile;
+struct UqInput;
 
 /// Whether the walls of a study differ in how their stones lie (wall.layouts).
 [[nodiscard]] bool has_layouts(const GeometryInput& geometry);
@@ -21,12 +22,11 @@ struct StudyFile;
                              const std::vector<RandomInput>& random);
 
 /// Samples take the seeds wall.seed, wall.seed + 1, ... in turn, under every stress the same.
-[[nodiscard]] std::uint32_t layout_seed(const dem::WallGeometry& wall,
-                                        const GeometryInput& geometry, std::uint32_t sample);
+[[nodiscard]] std::uint32_t layout_seed(const Masonry& masonry, std::uint32_t sample);
 
 /// Refuses keys that speak of single joints or units: they have no meaning across layouts.
 /// @throws ConfigError
-void check_layouts(const Study& study);
+void check_layouts(const Masonry& masonry, const UqInput& uq, const StudyFile& source);
 
 /// For verbs that take the wall of the study as it is. @throws ConfigError
 void refuse_layouts(const GeometryInput& geometry, const StudyFile& source);

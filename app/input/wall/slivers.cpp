@@ -22,16 +22,16 @@ bool has_slivers(const dem::Layout& layout, double smallest)
 
 } // namespace
 
-bool openings_make_slivers(Study study, double smallest)
+bool openings_make_slivers(Masonry masonry, const StudyFile& source, double smallest)
 {
-    if (study.wall.openings.empty()) return false;
-    study.wall.openings.clear();
-    return !has_slivers(layout_of(study), smallest);
+    if (masonry.wall.openings.empty()) return false;
+    masonry.wall.openings.clear();
+    return !has_slivers(laid_units(masonry, source), smallest);
 }
 
-bool cracks_make_slivers(const Study& study, double smallest)
+bool cracks_make_slivers(const Masonry& masonry, const StudyFile& source, double smallest)
 {
-    const dem::Layout whole = whole_units(study);
+    const dem::Layout whole = whole_units(masonry, source);
     return std::ranges::none_of(whole.blocks, [&](const dem::Block& b) {
         return std::min(b.x1 - b.x0, b.z1 - b.z0) < smallest;
     });

@@ -71,10 +71,9 @@ dem::CrackPattern parse_pattern(std::string_view text)
     refuse_pattern(text);
 }
 
-dem::Region toe_of(const dem::WallGeometry& wall, const GeometryInput& geometry,
-                   const LoadInput& load)
+dem::Region toe_of(const Masonry& masonry, const LoadInput& load)
 {
-    const dem::Region all = wall_extent(wall, geometry);
+    const dem::Region all = wall_extent(masonry);
     const double middle = 0.5 * (all.x0 + all.x1);
     const int direction = push_way(load).direction;
     return {direction > 0 ? middle : all.x0, all.z0, direction < 0 ? middle : all.x1,
@@ -95,11 +94,11 @@ dem::Region parse_box(std::string_view text)
     return {x, z, x + width, z + height};
 }
 
-std::vector<dem::Region> parse_regions(std::string_view text, const dem::WallGeometry& wall,
-                                       const GeometryInput& geometry, const LoadInput& load)
+std::vector<dem::Region> parse_regions(std::string_view text, const Masonry& masonry,
+                                       const LoadInput& load)
 {
     if (trimmed(text) == kNeeded) return {}; // all, until it is found out
-    if (trimmed(text) == "toe") return {toe_of(wall, geometry, load)};
+    if (trimmed(text) == "toe") return {toe_of(masonry, load)};
     std::vector<dem::Region> regions;
     for (const std::string_view box : split(text, ";")) regions.push_back(parse_box(box));
     return regions;
@@ -138,72 +137,69 @@ void keep_possible(const GeometryInput& geometry, const StudyFile& source, std::
 
 } // namespace
 
-CrackPatterns crack_patterns(const GeometryInput& geometry, const CrackInput& in,
-                             const StudyFile& source)
+CrackPatterns crack_patterns(const Masonry& masonry, const StudyFile& source)
 {
-    if (in.cut_nothing) return {{CrackKind::none}, {CrackKind::none}};
-    CrackPatterns p{{in.in_units ? CrackKind::mid : CrackKind::none},
-                    {in.in_units ? CrackKind::mid : CrackKind::none}};
-    if (!in.pattern.empty()) {
-        if (!in.in_units)
+    if (masonry.cracks.cut_nothing) return {{CrackKind::none}, {CrackKind::none}};
+    CrackPatterns p{{masonry.cracks.in_units ? CrackKind::mid : CrackKind::none},
+                    {masonry.cracks.in_units ? CrackKind::mid : CrackKind::none}};
+    if (!masonry.cracks.pattern.empty()) {
+        if (!masonry.cracks.in_units)
             throw error_at(source, "unit.cracks",
                            "wall.unit_cracks = no says that units have no cracks; remove one "
                            "of the two keys");
-        read_at(source, "unit.cracks", [&] { p.pattern = parse_pattern(in.pattern); });
+        read_at(source, "unit.cracks",
+                [&] { p.pattern = parse_pattern(masonry.cracks.pattern); });
     }
-    if (!in.elsewhere.empty())
+    if (!masonry.cracks.elsewhere.empty())
         read_at(source, "unit.cracks_elsewhere",
-                [&] { p.elsewhere = parse_pattern(in.elsewhere); });
-    else if (trimmed(in.where) == kNeeded)
+                [&] { p.elsewhere = parse_pattern(masonry.cracks.elsewhere); });
+    else if (trimmed(masonry.cracks.where) == kNeeded)
         p.elsewhere = {CrackKind::none};
-    keep_possible(geometry, source, "unit.cracks", p.pattern);
-    keep_possible(geometry, source, "unit.cracks_elsewhere", p.elsewhere);
+    keep_possible(masonry.geometry, source, "unit.cracks", p.pattern);
+    keep_possible(masonry.geometry, source, "unit.cracks_elsewhere", p.elsewhere);
     return p;
 }
 
 void read_unit_cracks(Study& study)
 {
-    const CrackPatterns p = crack_patterns(study.geometry, study.cracks, study.source);
+    const CrackPatterns p = crack_patterns(study, study.source);
     study.wall.cracks.pattern = p.pattern;
     study.wall.cracks.elsewhere = p.elsewhere;
     if (!study.cracks.where.empty())
         read_at(study.source, "unit.cracks_where", [&] {
-            study.wall.cracks.where =
-                parse_regions(study.cracks.where, study.wall, study.geometry, study.load);
+            study.wall.cracks.where = parse_regions(study.cracks.where, study, study.load);
         });
 }
 
-void check_pieces_of_units(const Study& study)
+void check_pieces_of_units(const Masonry& masonry, const StudyFile& source)
 {
     constexpr double kMostPieces = 1e5;
-    const dem::UnitCracks& cracks = study.wall.cracks;
-    if (!any_pattern(study.geometry, study.cracks, study.source,
-                     [](const dem::CrackPattern& p) {
-                         return p.kind == CrackKind::grid || p.kind == CrackKind::voronoi;
-                     }))
-        return;            // few pieces of each unit
-    Study regular = study; // random lengths may not be possible, which is told later
+    const dem::UnitCracks& cracks = masonry.wall.cracks;
+    if (!any_pattern(masonry, source, [](const dem::CrackPattern& p) {
+            return p.kind == CrackKind::grid || p.kind == CrackKind::voronoi;
+        }))
+        return;                // few pieces of each unit
+    Masonry regular = masonry; // random lengths may not be possible, which is told later
     regular.wall.length_cov = 0.0;
-    const dem::Layout whole = whole_units(regular);
+    const dem::Layout whole = whole_units(regular, source);
     double within = 0.0, elsewhere = 0.0;
     for (int k = 0; k < whole.beam; ++k) {
         const dem::Block& b = whole.blocks[static_cast<std::size_t>(k)];
         const dem::CrackPattern& pattern = dem::pattern_at(cracks, dem::centre_of(b));
         (&pattern == &cracks.pattern ? within : elsewhere) +=
-            dem::piece_count(dem::corners_of(b), pattern, study.wall.unit_length);
+            dem::piece_count(dem::corners_of(b), pattern, masonry.wall.unit_length);
     }
     if (within + elsewhere <= kMostPieces) return;
-    throw error_at(study.source, within >= elsewhere ? "unit.cracks" : "unit.cracks_elsewhere",
+    throw error_at(source, within >= elsewhere ? "unit.cracks" : "unit.cracks_elsewhere",
                    "makes about " + fixed(within + elsewhere, 0) +
                        " pieces of units; write larger cells or fewer pieces, or "
                        "unit.cracks_where for a part of the wall, so that there are at most "
                        "100000");
 }
 
-bool asks_for_needed_cracks(const GeometryInput& geometry, const CrackInput& cracks,
-                            const StudyFile& source)
+bool asks_for_needed_cracks(const Masonry& masonry, const StudyFile& source)
 {
-    return trimmed(cracks.where) == kNeeded && has_cracks(geometry, cracks, source);
+    return trimmed(masonry.cracks.where) == kNeeded && has_cracks(masonry, source);
 }
 
 void put_cracks(const std::vector<dem::Region>& boxes, Study& study)
@@ -213,10 +209,9 @@ void put_cracks(const std::vector<dem::Region>& boxes, Study& study)
     if (study.cracks.elsewhere.empty()) study.cracks.elsewhere = "none";
 }
 
-bool has_cracks(const GeometryInput& geometry, const CrackInput& cracks,
-                const StudyFile& source)
+bool has_cracks(const Masonry& masonry, const StudyFile& source)
 {
-    return any_pattern(geometry, cracks, source,
+    return any_pattern(masonry, source,
                        [](const dem::CrackPattern& p) { return p.kind != CrackKind::none; });
 }
 

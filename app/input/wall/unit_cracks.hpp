@@ -8,8 +8,7 @@
 
 namespace app {
 
-struct CrackInput;
-struct GeometryInput;
+struct Masonry;
 struct Study;
 struct StudyFile;
 
@@ -22,11 +21,10 @@ void read_unit_cracks(Study& study);
 /// Refuses patterns that make so many pieces that laying them would take minutes and gigabytes.
 /// Before they are laid.
 /// @throws ConfigError
-void check_pieces_of_units(const Study& study);
+void check_pieces_of_units(const Masonry& masonry, const StudyFile& source);
 
 /// Whether `unit.cracks_where = needed` has still to be carried out.
-[[nodiscard]] bool asks_for_needed_cracks(const GeometryInput& geometry,
-                                          const CrackInput& cracks, const StudyFile& source);
+[[nodiscard]] bool asks_for_needed_cracks(const Masonry& masonry, const StudyFile& source);
 
 /// Puts boxes in the place of `unit.cracks_where = needed` (app/input/needed_cracks.hpp), in
 /// which form the study is kept.
@@ -40,21 +38,18 @@ struct CrackPatterns {
 
 /// Patterns that units may crack in; none for a drawn wall that no pattern cuts.
 /// @throws ConfigError
-[[nodiscard]] CrackPatterns crack_patterns(const GeometryInput& geometry, const CrackInput& in,
-                                           const StudyFile& source);
+[[nodiscard]] CrackPatterns crack_patterns(const Masonry& masonry, const StudyFile& source);
 
 /// Whether units may crack in a pattern that a condition holds for.
 /// @throws ConfigError
 template <class Holds>
-[[nodiscard]] bool any_pattern(const GeometryInput& geometry, const CrackInput& cracks,
-                               const StudyFile& source, Holds holds)
+[[nodiscard]] bool any_pattern(const Masonry& masonry, const StudyFile& source, Holds holds)
 {
-    const CrackPatterns p = crack_patterns(geometry, cracks, source);
-    return holds(p.pattern) || (!cracks.where.empty() && holds(p.elsewhere));
+    const CrackPatterns p = crack_patterns(masonry, source);
+    return holds(p.pattern) || (!masonry.cracks.where.empty() && holds(p.elsewhere));
 }
 
 /// Whether any unit may crack.
-[[nodiscard]] bool has_cracks(const GeometryInput& geometry, const CrackInput& cracks,
-                              const StudyFile& source);
+[[nodiscard]] bool has_cracks(const Masonry& masonry, const StudyFile& source);
 
 } // namespace app

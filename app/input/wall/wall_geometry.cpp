@@ -134,18 +134,17 @@ std::string outline_text(const dem::DrawnUnit& unit)
     return text;
 }
 
-dem::DrawnWall drawn_wall(const dem::WallGeometry& courses, const GeometryInput& geometry,
-                          const StudyFile& source)
+dem::DrawnWall drawn_wall(const Masonry& masonry, const StudyFile& source)
 {
     dem::DrawnWall wall;
-    wall.units = geometry.units;
-    wall.stones = geometry.stones;
-    wall.lintels = material_of(geometry.layers, kLintels);
-    wall.thickness = courses.thickness;
-    wall.base = courses.base;
+    wall.units = masonry.geometry.units;
+    wall.stones = masonry.geometry.stones;
+    wall.lintels = material_of(masonry.geometry.layers, kLintels);
+    wall.thickness = masonry.wall.thickness;
+    wall.base = masonry.wall.base;
     const bool given = find_entry(source, "wall.unit_length") != nullptr;
-    wall.unit_length = given ? courses.unit_length : 0.0;
-    wall.cracks = courses.cracks;
+    wall.unit_length = given ? masonry.wall.unit_length : 0.0;
+    wall.cracks = masonry.wall.cracks;
     return wall;
 }
 
@@ -215,12 +214,11 @@ void read_geometry(Study& study)
             read_file(study);
         }
         read_unit_cracks(study);
-        require_level_top(study.geometry, study.beam);
-        std::ranges::copy(notes_of_ends(study.geometry, study.beam),
-                          std::back_inserter(g.notes));
-        check_pieces_of_units(study);
-        const dem::Layout layout = dem::drawn_layout(
-            drawn_wall(study.wall, study.geometry, study.source), beam_height(study.beam));
+        require_level_top(study);
+        std::ranges::copy(notes_of_ends(study), std::back_inserter(g.notes));
+        check_pieces_of_units(study, study.source);
+        const dem::Layout layout =
+            dem::drawn_layout(drawn_wall(study, study.source), beam_height(study.beam));
         require_joints(study.geometry, study.source, layout);
         if (find_entry(study.source, "wall.course_height") == nullptr)
             study.wall.course_height = layout.course_height;
@@ -228,27 +226,25 @@ void read_geometry(Study& study)
     });
 }
 
-dem::Region wall_extent(const dem::WallGeometry& wall, const GeometryInput& geometry)
+dem::Region wall_extent(const Masonry& masonry)
 {
-    if (!is_drawn(geometry))
-        return {0.0, 0.0, wall.length, dem::top_of_course(wall, wall.courses)};
-    const std::vector<dem::DrawnUnit>& units = geometry.units;
+    if (!is_drawn(masonry.geometry))
+        return {0.0, 0.0, masonry.wall.length,
+                dem::top_of_course(masonry.wall, masonry.wall.courses)};
+    const std::vector<dem::DrawnUnit>& units = masonry.geometry.units;
     dem::Region all = dem::extent_of(units.front().outline);
     for (const dem::DrawnUnit& unit : units) all = dem::join(all, dem::extent_of(unit.outline));
     return all;
 }
 
-double wall_length(const dem::WallGeometry& wall, const GeometryInput& geometry)
+double wall_length(const Masonry& masonry)
 {
-    if (!is_drawn(geometry)) return wall.length;
-    const dem::Region all = wall_extent(wall, geometry);
+    if (!is_drawn(masonry.geometry)) return masonry.wall.length;
+    const dem::Region all = wall_extent(masonry);
     return all.x1 - all.x0;
 }
 
-double wall_height(const dem::WallGeometry& wall, const GeometryInput& geometry)
-{
-    return wall_extent(wall, geometry).z1;
-}
+double wall_height(const Masonry& masonry) { return wall_extent(masonry).z1; }
 
 bool has_mortar(const JointInput& joint)
 {
@@ -271,36 +267,41 @@ std::string_view mixed_mode_key(const Parameters& p, bool units_crack)
     return "";
 }
 
-bool is_full_rectangle(const dem::WallGeometry& wall, const GeometryInput& geometry)
+bool is_full_rectangle(const Masonry& masonry)
 {
-    if (!is_drawn(geometry)) return wall.openings.empty();
+    if (!is_drawn(masonry.geometry)) return masonry.wall.openings.empty();
     constexpr double kRounding = 1e-9; // of the area
-    const dem::Region all = wall_extent(wall, geometry);
+    const dem::Region all = wall_extent(masonry);
     double area = 0.0;
-    for (const dem::DrawnUnit& unit : geometry.units) {
+    for (const dem::DrawnUnit& unit : masonry.geometry.units) {
         if (unit.material != 0) return false;
         area += dem::polygon_area(unit.outline);
     }
     return area >= (1.0 - kRounding) * (all.x1 - all.x0) * (all.z1 - all.z0);
 }
 
-dem::Layout whole_units(Study study)
+dem::Layout laid_units(const Masonry& masonry, const StudyFile& source)
 {
-    study.wall.cracks.pattern = {dem::CrackPattern::Kind::none};
-    study.wall.cracks.where.clear();
-    return layout_of(study);
+    dem::Layout layout =
+        !masonry.geometry.units.empty()
+            ? dem::drawn_layout(drawn_wall(masonry, source), beam_height(masonry.beam))
+            : dem::lay_out(masonry.wall, beam_height(masonry.beam));
+    layout.course_height = masonry.wall.course_height; // h of Eq. 2
+    return layout;
+}
+
+dem::Layout whole_units(Masonry masonry, const StudyFile& source)
+{
+    masonry.wall.cracks.pattern = {dem::CrackPattern::Kind::none};
+    masonry.wall.cracks.where.clear();
+    return laid_units(masonry, source);
 }
 
 dem::Layout layout_of(const Study& study)
 {
-    dem::Layout layout =
-        !study.geometry.units.empty()
-            ? dem::drawn_layout(drawn_wall(study.wall, study.geometry, study.source),
-                                beam_height(study.beam))
-            : dem::lay_out(study.wall, beam_height(study.beam));
-    layout.course_height = study.wall.course_height; // h of Eq. 2
+    dem::Layout layout = laid_units(study, study.source);
     layout.mortar = has_mortar(study.parameters.joint);
-    const bool units_crack = has_cracks(study.geometry, study.cracks, study.source);
+    const bool units_crack = has_cracks(study, study.source);
     layout.crushing = has_crushing(study.parameters, units_crack);
     layout.wear = study.parameters.joint.wear_length > 0.0;
     layout.closure = study.parameters.joint.closure;

@@ -13,6 +13,7 @@ namespace app {
 
 struct GeometryInput;
 struct JointInput;
+struct Masonry;
 struct Parameters;
 struct Study;
 struct StudyFile;
@@ -36,15 +37,12 @@ void require_joints(const GeometryInput& geometry, const StudyFile& source,
 /// The key that draws the wall; "wall" of one that its other keys build.
 [[nodiscard]] std::string_view geometry_key(const GeometryInput& geometry);
 
-[[nodiscard]] double wall_length(const dem::WallGeometry& wall,
-                                 const GeometryInput& geometry); ///< [m]
+[[nodiscard]] double wall_length(const Masonry& masonry); ///< [m]
 [[nodiscard]] double
-wall_height(const dem::WallGeometry& wall,
-            const GeometryInput& geometry); ///< above the floor, without the beam [m]
+wall_height(const Masonry& masonry); ///< above the floor, without the beam [m]
 
 /// Extent of the masonry, without the beam.
-[[nodiscard]] dem::Region wall_extent(const dem::WallGeometry& wall,
-                                      const GeometryInput& geometry);
+[[nodiscard]] dem::Region wall_extent(const Masonry& masonry);
 
 /// Whether joints are bonded: their mean strength is not zero.
 [[nodiscard]] bool has_mortar(const JointInput& joint);
@@ -59,14 +57,16 @@ wall_height(const dem::WallGeometry& wall,
 [[nodiscard]] bool has_crushing(const Parameters& p, bool units_crack);
 
 /// Whether the masonry fills the rectangle around it with stones of one density.
-[[nodiscard]] bool is_full_rectangle(const dem::WallGeometry& wall,
-                                     const GeometryInput& geometry);
+[[nodiscard]] bool is_full_rectangle(const Masonry& masonry);
 
 /// Layout of the wall with its beam. prepare() has it at hand (app/input/prepared_study.hpp).
 [[nodiscard]] dem::Layout layout_of(const Study& study);
 
+/// Its blocks and faces, before anything is said of the laws that these follow.
+[[nodiscard]] dem::Layout laid_units(const Masonry& masonry, const StudyFile& source);
+
 /// The same if no unit could crack.
-[[nodiscard]] dem::Layout whole_units(Study study);
+[[nodiscard]] dem::Layout whole_units(Masonry masonry, const StudyFile& source);
 
 /// "0 0, 0.2 0, 0.2 0.1, 0 0.1; ...": corners in metres, to all digits, counter-clockwise. A
 /// layer that is not the wall's own stone stands in front: "lintel: 0 0, ...".

@@ -172,16 +172,17 @@ std::vector<LimitChoice> limit_choices(const Study& study)
     std::vector<LimitChoice> choices;
     for (const Rule& rule : kRules)
         if (plays_a_part(*find_key(rule.key), study))
-            choices.push_back({rule.key, rule.effect(study)});
+            choices.push_back(
+                {rule.key, value_text(*find_key(rule.key), study), rule.effect(study)});
     return choices;
 }
 
-std::string limit_choices_text(const Study& study)
+std::string limit_choices_text(std::span<const LimitChoice> choices)
 {
     std::string text;
-    for (const LimitChoice& choice : limit_choices(study))
+    for (const LimitChoice& choice : choices)
         text += (text.empty() ? "Choices that move a drift limit: " : ", ") +
-                std::string(choice.key) + " = " + value_text(*find_key(choice.key), study);
+                std::string(choice.key) + " = " + choice.value;
     return text + ".";
 }
 

@@ -5,6 +5,7 @@
 #include "app/study/stored/study_walls.hpp"
 #include "dem/solver/state/solver_options.hpp"
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,7 +33,8 @@ struct LoadInput;
 /// A key whose value moves a drift limit, and how.
 struct LimitChoice {
     std::string_view key;    ///< "solver.kinematics"
-    std::string_view effect; ///< of the value that the study has
+    std::string value;       ///< "small": that the study has
+    std::string_view effect; ///< of this value
 };
 
 /// The choices that play a part in the study, the one that matters most first.
@@ -40,6 +42,6 @@ struct LimitChoice {
 
 /// "Choices that move a drift limit: solver.kinematics = small, wall.base = fixed, ...": one
 /// sentence.
-[[nodiscard]] std::string limit_choices_text(const Study& study);
+[[nodiscard]] std::string limit_choices_text(std::span<const LimitChoice> choices);
 
 } // namespace app

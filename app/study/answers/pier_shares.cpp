@@ -104,8 +104,7 @@ std::string pier_counts(const StudyWalls& study, const StudyLevel& level)
 
 std::string pier_sentence(const StudyWalls& study)
 {
-    if (study.piers.empty())
-        return pier_sentence(study.rules, study.study.wall, study.study.geometry);
+    if (study.piers.empty()) return pier_sentence(study.rules, study.study);
     std::string text;
     for (const StudyLevel& level : study.levels)
         if (const std::string counts = pier_counts(study, level); !counts.empty())

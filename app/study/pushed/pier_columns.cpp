@@ -103,25 +103,22 @@ std::vector<Facts> facts_of(const PierRow& row, const StorePiers& stored,
 
 } // namespace
 
-StorePiers stored_piers_of(const dem::WallGeometry& wall, const GeometryInput& geometry,
-                           const LoadInput& load)
+StorePiers stored_piers_of(const Masonry& masonry, const LoadInput& load)
 {
     StorePiers stored;
-    if (!tells_piers(wall, geometry, load)) return stored;
-    for (const dem::Pier& p :
-         dem::piers_of(wall_openings(wall, geometry), wall_extent(wall, geometry)).piers)
+    if (!tells_piers(masonry, load)) return stored;
+    for (const dem::Pier& p : dem::piers_of(wall_openings(masonry), wall_extent(masonry)).piers)
         stored.places.push_back(place_of(p.at, p.storey));
     add_columns(stored, kFacts);
     return stored;
 }
 
-StorePiers stored_spandrels_of(const dem::WallGeometry& wall, const GeometryInput& geometry,
-                               const LoadInput& load)
+StorePiers stored_spandrels_of(const Masonry& masonry, const LoadInput& load)
 {
     StorePiers stored;
-    if (!tells_piers(wall, geometry, load)) return stored;
+    if (!tells_piers(masonry, load)) return stored;
     for (const dem::Spandrel& s :
-         dem::piers_of(wall_openings(wall, geometry), wall_extent(wall, geometry)).spandrels)
+         dem::piers_of(wall_openings(masonry), wall_extent(masonry)).spandrels)
         stored.places.push_back(place_of(s.at, 1));
     add_columns(stored, kSpandrelFacts);
     return stored;

@@ -11,13 +11,12 @@
 
 namespace app {
 
-struct GeometryInput;
 struct LoadInput;
+struct Masonry;
 
 /// Places of the piers of a study's walls, and columns of their facts; nothing where piers are
 /// not told apart.
-[[nodiscard]] StorePiers stored_piers_of(const dem::WallGeometry& wall,
-                                         const GeometryInput& geometry, const LoadInput& load);
+[[nodiscard]] StorePiers stored_piers_of(const Masonry& masonry, const LoadInput& load);
 
 /// The piers of a wall as a row; NaN throughout where nothing was read of them.
 [[nodiscard]] PierRow pier_row(const PushedWall& wall, const StorePiers& piers);
@@ -28,9 +27,7 @@ struct LoadInput;
 [[nodiscard]] std::vector<dem::Pier> piers_of(const StorePiers& piers);
 
 /// The same of spandrels, which have no curves of their own.
-[[nodiscard]] StorePiers stored_spandrels_of(const dem::WallGeometry& wall,
-                                             const GeometryInput& geometry,
-                                             const LoadInput& load);
+[[nodiscard]] StorePiers stored_spandrels_of(const Masonry& masonry, const LoadInput& load);
 [[nodiscard]] PierRow spandrel_row(const PushedWall& wall, const StorePiers& spandrels);
 [[nodiscard]] std::vector<SpandrelFacts> spandrel_facts_of(const PierRow& row,
                                                            const StorePiers& spandrels);

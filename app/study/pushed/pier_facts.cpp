@@ -56,13 +56,13 @@ double movement_at(const PierHistory& history, std::size_t pier, double place, d
 
 double single(double x) { return double{static_cast<float>(x)}; }
 
-PierFacts facts_of(const Study& study, const dem::PierProbe& probe, const PierHistory& history,
-                   const PierHistory& calm, std::size_t i, const PushedWall& wall,
-                   const dem::Snapshot& moved)
+PierFacts facts_of(const LoadInput& load, double drop, const dem::PierProbe& probe,
+                   const PierHistory& history, const PierHistory& calm, std::size_t i,
+                   const PushedWall& wall, const dem::Snapshot& moved)
 {
     PierFacts f;
     const dem::Pier& pier = probe.piers().piers[i];
-    const double way = push_way(study.load).direction;
+    const double way = push_way(load).direction;
     const dem::PierState peak = calm[at_peak(calm)].piers[i];
     f.normal_before = history.front().piers[i].force.normal;
     f.normal_at_peak = peak.force.normal;
@@ -79,8 +79,8 @@ PierFacts facts_of(const Study& study, const dem::PierProbe& probe, const PierHi
             strongest = &now.piers[i];
     f.most_shear = way * strongest->force.shear;
     f.slenderness =
-        slenderness_of(pier, strongest->force, study.load.height / (pier.at.x1 - pier.at.x0));
-    const auto own = movement_at_drop(calm, i, way, push_plan(study).drop);
+        slenderness_of(pier, strongest->force, load.height / (pier.at.x1 - pier.at.x0));
+    const auto own = movement_at_drop(calm, i, way, drop);
     const PierMovement m = own ? *own : pier_movement(probe, i, moved);
     f.moved = m.moved ? 1.0 : 0.0;
     f.mechanism = m.mechanism;
@@ -89,13 +89,14 @@ PierFacts facts_of(const Study& study, const dem::PierProbe& probe, const PierHi
 
 } // namespace
 
-std::vector<PierFacts> pier_facts(const Study& study, const dem::PierProbe& probe,
-                                  const PierHistory& history, const PierHistory& calm,
-                                  const PushedWall& wall, const dem::Snapshot& moved)
+std::vector<PierFacts> pier_facts(const LoadInput& load, double drop,
+                                  const dem::PierProbe& probe, const PierHistory& history,
+                                  const PierHistory& calm, const PushedWall& wall,
+                                  const dem::Snapshot& moved)
 {
     std::vector<PierFacts> facts;
     for (std::size_t i = 0; i < probe.piers().piers.size(); ++i)
-        facts.push_back(facts_of(study, probe, history, calm, i, wall, moved));
+        facts.push_back(facts_of(load, drop, probe, history, calm, i, wall, moved));
     return facts;
 }
 

@@ -10,7 +10,7 @@
 
 namespace app {
 
-struct Study;
+struct LoadInput;
 
 struct PushedWall;
 
@@ -43,9 +43,11 @@ struct SpandrelFacts {
 [[nodiscard]] std::vector<SpandrelFacts> spandrel_facts(const PierHistory& history,
                                                         const PierHistory& calm);
 
+/// @param drop as PushPlan::drop
 /// @param history of at least two points
 /// @param moved by which the mode of the wall is read, and that of piers that keep their shear
-[[nodiscard]] std::vector<PierFacts> pier_facts(const Study& study, const dem::PierProbe& probe,
+[[nodiscard]] std::vector<PierFacts> pier_facts(const LoadInput& load, double drop,
+                                                const dem::PierProbe& probe,
                                                 const PierHistory& history,
                                                 const PierHistory& calm, const PushedWall& wall,
                                                 const dem::Snapshot& moved);

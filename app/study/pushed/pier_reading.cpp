@@ -134,10 +134,9 @@ std::string_view mode_text(const PierReading& pier)
 
 bool is_so_far(std::string_view mode) { return mode.ends_with(kSoFar); }
 
-bool tells_piers(const dem::WallGeometry& wall, const GeometryInput& geometry,
-                 const LoadInput& load)
+bool tells_piers(const Masonry& masonry, const LoadInput& load)
 {
-    return push_way(load).direction != 0 && has_piers(wall, geometry);
+    return push_way(load).direction != 0 && has_piers(masonry);
 }
 
 const PierCap* cap_of(const PierReading& pier, std::string_view code, std::string_view state)
@@ -209,22 +208,21 @@ ReadingRules with_piers(ReadingRules rules, const std::vector<PierReading>& pier
     return rules;
 }
 
-void read_piers(const Study& study, const dem::PierProbe& probe, const PierHistory& history,
-                PushedWall& wall)
+void read_piers(const PierRules& rules, const LoadInput& load, double drop,
+                const dem::PierProbe& probe, const PierHistory& history, PushedWall& wall)
 {
     if (dem::failed(wall.result.outcome) || came_down_at_once(wall) || history.size() < 2)
         return;
-    const PierHistory calm = calmed(history, kCalm * study.load.height);
+    const PierHistory calm = calmed(history, kCalm * load.height);
     const bool came_down = wall.result.outcome == dem::Outcome::lost_equilibrium;
     const fragility::Curve curve{wall.displacement, wall.force, came_down};
-    const PierRules rules = pier_rules(study.fragility, reading_rules(study));
-    wall.piers =
-        read_piers(rules, probe.piers().piers,
-                   pier_facts(study, probe, history, calm, wall, telling(wall.result)), curve);
+    wall.piers = read_piers(
+        rules, probe.piers().piers,
+        pier_facts(load, drop, probe, history, calm, wall, telling(wall.result)), curve);
     wall.spandrels = read_spandrels(probe.piers().spandrels, spandrel_facts(history, calm));
     if (wall.piers.empty()) return;
     wall.pier_balance = balance_of(probe.piers(), calm);
-    if (study.load.pattern == dem::LoadPattern::body)
+    if (load.pattern == dem::LoadPattern::body)
         wall.pier_balance.shear = std::numeric_limits<double>::quiet_NaN();
     wall.reading = read(curve, wall.mechanism, with_piers(rules.wall, wall.piers),
                         wall.result.settled, solver_error(wall));

@@ -16,9 +16,8 @@
 namespace app {
 
 struct FragilityInput;
-struct GeometryInput;
 struct LoadInput;
-struct Study;
+struct Masonry;
 
 struct PushedWall;
 
@@ -65,8 +64,7 @@ struct PierBalance {
 };
 
 /// Whether the program tells piers apart: openings, and a push that goes one way.
-[[nodiscard]] bool tells_piers(const dem::WallGeometry& wall, const GeometryInput& geometry,
-                               const LoadInput& load);
+[[nodiscard]] bool tells_piers(const Masonry& masonry, const LoadInput& load);
 
 /// How piers are read: the rules of their wall, and the codes whose drift limits are told.
 struct PierRules {
@@ -89,9 +87,10 @@ struct PierRules {
                                       const std::vector<PierReading>& piers);
 
 /// Reads the piers of a wall that was pushed, and the wall itself again, with_piers().
+/// @param drop as PushPlan::drop
 /// @param history of at least two points
-void read_piers(const Study& study, const dem::PierProbe& probe, const PierHistory& history,
-                PushedWall& wall);
+void read_piers(const PierRules& rules, const LoadInput& load, double drop,
+                const dem::PierProbe& probe, const PierHistory& history, PushedWall& wall);
 
 /// "rocking", "rocking so far", or that it stands still, or carries nothing to speak of.
 [[nodiscard]] std::string_view mode_text(const PierReading& pier);

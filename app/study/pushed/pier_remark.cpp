@@ -1,6 +1,6 @@
 #include "app/study/pushed/pier_remark.hpp"
 
-#include "app/input/study/geometry_input.hpp"
+#include "app/input/study/masonry.hpp"
 #include "app/input/wall/wall_geometry.hpp"
 #include "app/reading/wall_reading.hpp"
 #include "app/study/pushed/wall_openings.hpp"
@@ -39,17 +39,16 @@ std::string codes_of(const ReadingRules& rules)
 
 } // namespace
 
-bool has_piers(const dem::WallGeometry& wall, const GeometryInput& geometry)
+bool has_piers(const Masonry& masonry)
 {
-    if (!geometry.openings.empty()) return true;
-    if (!is_drawn(geometry) || geometry.rubble) return false;
+    if (!masonry.geometry.openings.empty()) return true;
+    if (!is_drawn(masonry.geometry) || masonry.geometry.rubble) return false;
     constexpr int kHeights = 40;
-    const double rise = wall_height(wall, geometry) / kHeights,
-                 least = least_opening(wall, geometry);
+    const double rise = wall_height(masonry) / kHeights, least = least_opening(masonry);
     std::optional<Gap> below;
     int open = 0, upright = 0;
     for (int i = 0; i < kHeights; ++i) {
-        const auto here = opening_at(geometry.units, rise * (i + 0.5), least);
+        const auto here = opening_at(masonry.geometry.units, rise * (i + 0.5), least);
         open += here.has_value();
         upright += here && below &&
                    std::min(std::abs(here->from - below->from),
@@ -59,21 +58,19 @@ bool has_piers(const dem::WallGeometry& wall, const GeometryInput& geometry)
     return 3 * upright > open;
 }
 
-std::string pier_remark(const ReadingRules& rules, const dem::WallGeometry& wall,
-                        const GeometryInput& geometry)
+std::string pier_remark(const ReadingRules& rules, const Masonry& masonry)
 {
     const std::string codes = codes_of(rules);
-    if (codes.empty() || !has_piers(wall, geometry)) return {};
+    if (codes.empty() || !has_piers(masonry)) return {};
     return "the drift limits of " + codes +
            " are those of one pier; this wall has several, and one drift, over " +
            fixed(rules.height, 2) +
            " m, and one mode stand for all of them: check each pier by its own height and mode";
 }
 
-std::string pier_sentence(const ReadingRules& rules, const dem::WallGeometry& wall,
-                          const GeometryInput& geometry)
+std::string pier_sentence(const ReadingRules& rules, const Masonry& masonry)
 {
-    const std::string remark = pier_remark(rules, wall, geometry);
+    const std::string remark = pier_remark(rules, masonry);
     return remark.empty() ? remark : "T" + remark.substr(1) + ".";
 }
 

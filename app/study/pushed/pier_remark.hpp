@@ -9,7 +9,7 @@
 
 namespace app {
 
-struct GeometryInput;
+struct Masonry;
 struct ReadingRules;
 
 /// Caption of tables of piers.
@@ -29,16 +29,13 @@ inline constexpr std::string_view kSpandrelNumbers =
 /// Whether openings divide the masonry into pieces that stand upright beside each other: walls
 /// with doors or windows, portals, arches on piers. A bare arch leans all the way from its
 /// springing, and has none.
-[[nodiscard]] bool has_piers(const dem::WallGeometry& wall, const GeometryInput& geometry);
+[[nodiscard]] bool has_piers(const Masonry& masonry);
 
 /// "the drift limits of ntc are those of one pier: ..."; empty without a code among the limit
 /// states, and of a wall that is one pier. No full stop.
-[[nodiscard]] std::string pier_remark(const ReadingRules& rules, const dem::WallGeometry& wall,
-                                      const GeometryInput& geometry);
+[[nodiscard]] std::string pier_remark(const ReadingRules& rules, const Masonry& masonry);
 
 /// The same as a sentence.
-[[nodiscard]] std::string pier_sentence(const ReadingRules& rules,
-                                        const dem::WallGeometry& wall,
-                                        const GeometryInput& geometry);
+[[nodiscard]] std::string pier_sentence(const ReadingRules& rules, const Masonry& masonry);
 
 } // namespace app

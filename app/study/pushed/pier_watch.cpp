@@ -1,6 +1,6 @@
 #include "app/study/pushed/pier_watch.hpp"
 
-#include "app/input/study/study.hpp"
+#include "app/input/study/load_input.hpp"
 #include "app/input/wall/wall_geometry.hpp"
 #include "app/study/pushed/wall_openings.hpp"
 
@@ -9,12 +9,12 @@
 
 namespace app {
 
-PierWatch::PierWatch(const Study& study, const dem::Layout& layout, dem::PushPlan& plan)
-    : study_(study)
+PierWatch::PierWatch(const Masonry& masonry, const LoadInput& load, PierRules rules,
+                     const dem::Layout& layout, dem::PushPlan& plan)
+    : load_(load), rules_(std::move(rules)), drop_(plan.drop)
 {
-    if (!tells_piers(study.wall, study.geometry, study.load)) return;
-    probe_.emplace(layout, dem::piers_of(wall_openings(study.wall, study.geometry),
-                                         wall_extent(study.wall, study.geometry)));
+    if (!tells_piers(masonry, load)) return;
+    probe_.emplace(layout, dem::piers_of(wall_openings(masonry), wall_extent(masonry)));
     const double every = plan.snapshot_every;
     plan.snapshot_every = plan.record_every;
     plan.mean_stresses = true;
@@ -44,7 +44,7 @@ PierInstant PierWatch::instant(Watched& w, const dem::Snapshot& shot) const
 {
     PierInstant now = pier_instant(*probe_, shot);
     if (std::abs(shot.displacement) < w.look) return now;
-    w.look = std::abs(shot.displacement) + kCalm * study_.load.height;
+    w.look = std::abs(shot.displacement) + kCalm * load_.height;
     for (std::size_t i = 0; i < probe_->piers().piers.size(); ++i)
         now.movements.push_back(pier_movement(*probe_, i, shot));
     return now;
@@ -65,7 +65,7 @@ void PierWatch::add_to(std::size_t wall, PushedWall& pushed)
         if (auto known = walls_.extract(wall)) w = std::move(known.mapped());
     }
     pushed.result.snapshots = std::move(w.kept);
-    read_piers(study_, *probe_, w.history, pushed);
+    read_piers(rules_, load_, drop_, *probe_, w.history, pushed);
 }
 
 } // namespace app

@@ -17,8 +17,9 @@ namespace app {
 class PierWatch {
   public:
     /// Has `plan` take a snapshot at every curve point, and hands those on that it would have
-    /// taken. Lives longer than the push. Study and layout must outlive it.
-    PierWatch(const Study& study, const dem::Layout& layout, dem::PushPlan& plan);
+    /// taken. Lives longer than the push. Load and layout must outlive it.
+    PierWatch(const Masonry& masonry, const LoadInput& load, PierRules rules,
+              const dem::Layout& layout, dem::PushPlan& plan);
     PierWatch(const PierWatch&) = delete;
     PierWatch& operator=(const PierWatch&) = delete;
 
@@ -36,7 +37,9 @@ class PierWatch {
     Watched& watched(std::size_t wall);
     PierInstant instant(Watched& w, const dem::Snapshot& shot) const;
 
-    const Study& study_;
+    const LoadInput& load_;
+    PierRules rules_;
+    double drop_; ///< as PushPlan::drop
     std::optional<dem::PierProbe> probe_;
     std::mutex mutex_;                     ///< of the map; each wall is of one thread
     std::map<std::size_t, Watched> walls_; ///< that are on their way

@@ -1,5 +1,6 @@
 #include "app/study/pushed/push_walls.hpp"
 
+#include "app/input/keys/limit_state_text.hpp"
 #include "app/input/study/study.hpp"
 #include "app/study/pushed/interrupt.hpp"
 #include "app/study/pushed/pier_watch.hpp"
@@ -19,7 +20,9 @@ void push_walls(const Study& study, const dem::Model& model, const dem::PushPlan
     std::mutex mutex; // of `started` and of list.done
     std::map<std::size_t, WantedWall> started;
     dem::PushPlan watched = plan;
-    PierWatch piers(study, model.layout, watched);
+    const ReadingRules rules = reading_rules(study);
+    PierWatch piers(study, study.load, pier_rules(study.fragility, rules), model.layout,
+                    watched);
     dem::Ensemble ensemble;
     ensemble.size = list.size;
     ensemble.open = list.open;
@@ -38,14 +41,15 @@ void push_walls(const Study& study, const dem::Model& model, const dem::PushPlan
             return materials;
         } catch (const std::invalid_argument& bad) {
             const std::lock_guard lock(mutex);
-            list.done(i, wanted->draw, no_wall(study, level, bad.what()));
+            list.done(i, wanted->draw, no_wall(rules, study.load, level, bad.what()));
             return {};
         }
     };
     ensemble.done = [&](std::size_t i, dem::PushResult&& result) {
         const std::lock_guard lock(mutex);
         const WantedWall wanted = std::move(started.extract(i).mapped());
-        PushedWall wall = read_wall(study, wanted.level, std::move(result));
+        PushedWall wall =
+            read_wall(rules, study.load, study.output, wanted.level, std::move(result));
         piers.add_to(i, wall);
         list.done(i, wanted.draw, std::move(wall));
         if (!list.keeps_begun) end_if_interrupted();

@@ -1,7 +1,7 @@
 #include "app/study/pushed/pushed_wall.hpp"
 
-#include "app/input/keys/limit_state_text.hpp"
-#include "app/input/study/study.hpp"
+#include "app/input/study/load_input.hpp"
+#include "app/input/study/output_input.hpp"
 #include "app/reading/points_error.hpp"
 
 namespace app {
@@ -39,18 +39,18 @@ dem::Mechanism mechanism_of(const dem::PushResult& r, double height)
 
 } // namespace
 
-PushedWall read_wall(const Study& study, int level, dem::PushResult result)
+PushedWall read_wall(const ReadingRules& rules, const LoadInput& load,
+                     const OutputInput& output, int level, dem::PushResult result)
 {
-    const ReadingRules rules = reading_rules(study);
     PushedWall w;
-    w.vertical_stress = study.load.vertical_stress[level];
-    w.loads = loads(study.load, level);
+    w.vertical_stress = load.vertical_stress[level];
+    w.loads = loads(load, level);
     w.result = std::move(result);
     if (dem::failed(w.result.outcome)) {
         w.reading = not_read(rules, why_failed(w.result.outcome));
         return w;
     }
-    const bool single = study.output.single_precision_curves;
+    const bool single = output.single_precision_curves;
     const auto kept = [single](double x) { return single ? double{static_cast<float>(x)} : x; };
     for (const dem::CurvePoint& p : w.result.curve) {
         w.displacement.push_back(kept(p.displacement));
@@ -63,14 +63,14 @@ PushedWall read_wall(const Study& study, int level, dem::PushResult result)
     return w;
 }
 
-PushedWall no_wall(const Study& study, int level, const std::string& why)
+PushedWall no_wall(const ReadingRules& rules, const LoadInput& load, int level,
+                   const std::string& why)
 {
     PushedWall w;
-    w.vertical_stress = study.load.vertical_stress[level];
-    w.loads = loads(study.load, level);
+    w.vertical_stress = load.vertical_stress[level];
+    w.loads = loads(load, level);
     w.result.outcome = dem::Outcome::no_wall;
-    w.reading =
-        not_read(reading_rules(study), "no wall can be made of the values drawn: " + why);
+    w.reading = not_read(rules, "no wall can be made of the values drawn: " + why);
     return w;
 }
 

@@ -12,7 +12,8 @@
 
 namespace app {
 
-struct Study;
+struct LoadInput;
+struct OutputInput;
 
 struct PushedWall {
     double vertical_stress = 0.0; ///< [Pa]
@@ -31,11 +32,14 @@ struct PushedWall {
 };
 
 /// Evaluates a finished push: peak, stiffness, limit states, mechanism, failure mode.
-/// @param level index in study.load.vertical_stress
-[[nodiscard]] PushedWall read_wall(const Study& study, int level, dem::PushResult result);
+/// @param level index in LoadInput::vertical_stress
+[[nodiscard]] PushedWall read_wall(const ReadingRules& rules, const LoadInput& load,
+                                   const OutputInput& output, int level,
+                                   dem::PushResult result);
 
 /// A draw that makes no wall: nothing was pushed, and the wall counts as failed.
-[[nodiscard]] PushedWall no_wall(const Study& study, int level, const std::string& why);
+[[nodiscard]] PushedWall no_wall(const ReadingRules& rules, const LoadInput& load, int level,
+                                 const std::string& why);
 
 /// Source of its numbers (kWallNumbers), no longer than the wall lives.
 [[nodiscard]] WallSource source_of(const PushedWall& wall);

@@ -7,9 +7,8 @@
 
 namespace app {
 
-dem::PushPlan bare_plan(const Study& study)
+dem::PushPlan bare(dem::PushPlan plan)
 {
-    dem::PushPlan plan = push_plan(study);
     plan.snapshot_every = 0.0;
     plan.snapshot_at_peak = false;
     return plan;
@@ -24,10 +23,10 @@ int film_frames(const LoadInput& load)
 
 double film_step(const LoadInput& load) { return push_way(load).length / film_frames(load); }
 
-dem::PushPlan filmed_plan(const Study& study)
+dem::PushPlan filmed(dem::PushPlan plan, const LoadInput& load)
 {
-    dem::PushPlan plan = bare_plan(study);
-    plan.snapshot_every = film_step(study.load);
+    plan = bare(std::move(plan));
+    plan.snapshot_every = film_step(load);
     return plan;
 }
 

@@ -12,7 +12,6 @@
 namespace app {
 
 struct LoadInput;
-struct Study;
 
 constexpr int kFilmFrames = 60; ///< evenly over the way, and the wall before the push
 /// Numbers of frames of a push that turns back: so many for each way between two turns, and at
@@ -23,11 +22,11 @@ constexpr int kFramesOfAWay = 8, kMostFilmFrames = 240;
 [[nodiscard]] int film_frames(const LoadInput& load);
 [[nodiscard]] double film_step(const LoadInput& load);
 
-/// A push of a study's wall: readings alone, no pictures.
-[[nodiscard]] dem::PushPlan bare_plan(const Study& study);
+/// The same push for its readings alone, without pictures.
+[[nodiscard]] dem::PushPlan bare(dem::PushPlan plan);
 
-/// The same with the frames of a film: the numbers are the same, to the bit.
-[[nodiscard]] dem::PushPlan filmed_plan(const Study& study);
+/// The same push with the frames of a film: the numbers are the same, to the bit.
+[[nodiscard]] dem::PushPlan filmed(dem::PushPlan plan, const LoadInput& load);
 
 /// Frames of a filmed push: the snapshots, and the end where none is there.
 [[nodiscard]] std::vector<dem::Snapshot> frames_of(dem::PushResult&& result);

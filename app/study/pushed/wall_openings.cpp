@@ -50,18 +50,16 @@ bool lies_above(const Gap& upper, const Gap& lower)
     return common > 0.5 * std::min(upper.width(), lower.width());
 }
 
-std::vector<dem::Opening> openings_of_drawing(const dem::WallGeometry& wall,
-                                              const GeometryInput& geometry)
+std::vector<dem::Opening> openings_of_drawing(const Masonry& masonry)
 {
     constexpr int kHeights = 200,
                   kFewest = 4; // levels looked at, and those that an opening has
-    const double rise = wall_height(wall, geometry) / kHeights,
-                 least = least_opening(wall, geometry);
+    const double rise = wall_height(masonry) / kHeights, least = least_opening(masonry);
     std::vector<Shaft> open, closed;
     for (int i = 0; i < kHeights; ++i) {
         const double z = rise * (i + 0.5);
         std::vector<Shaft> next;
-        for (const Gap& gap : gaps_at(geometry.units, z, least)) {
+        for (const Gap& gap : gaps_at(masonry.geometry.units, z, least)) {
             const auto below = std::ranges::find_if(
                 open, [&](const Shaft& s) { return lies_above(gap, s.gaps.back()); });
             if (below == open.end()) {
@@ -100,17 +98,16 @@ std::vector<Gap> gaps_at(const std::vector<dem::DrawnUnit>& units, double z, dou
     return gaps;
 }
 
-double least_opening(const dem::WallGeometry& wall, const GeometryInput& geometry)
+double least_opening(const Masonry& masonry)
 {
     constexpr double kOpening = 0.05; // of the length of the wall
-    return kOpening * wall_length(wall, geometry);
+    return kOpening * wall_length(masonry);
 }
 
-std::vector<dem::Opening> wall_openings(const dem::WallGeometry& wall,
-                                        const GeometryInput& geometry)
+std::vector<dem::Opening> wall_openings(const Masonry& masonry)
 {
-    if (!is_drawn(geometry)) return wall.openings;
-    return geometry.rubble ? std::vector<dem::Opening>() : openings_of_drawing(wall, geometry);
+    if (!is_drawn(masonry.geometry)) return masonry.wall.openings;
+    return masonry.geometry.rubble ? std::vector<dem::Opening>() : openings_of_drawing(masonry);
 }
 
 } // namespace app

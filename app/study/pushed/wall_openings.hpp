@@ -8,7 +8,7 @@
 
 namespace app {
 
-struct GeometryInput;
+struct Masonry;
 
 /// Gaps between the stones at a height, from left to right [m].
 struct Gap {
@@ -21,12 +21,10 @@ struct Gap {
                                        double least);
 
 /// Width above which a gap is an opening and no joint [m].
-[[nodiscard]] double least_opening(const dem::WallGeometry& wall,
-                                   const GeometryInput& geometry);
+[[nodiscard]] double least_opening(const Masonry& masonry);
 
 /// Openings of a wall in courses as they are given. Of a drawn wall the gaps that lie above
 /// each other, each as the rectangle of its mean width. None of rubble.
-[[nodiscard]] std::vector<dem::Opening> wall_openings(const dem::WallGeometry& wall,
-                                                      const GeometryInput& geometry);
+[[nodiscard]] std::vector<dem::Opening> wall_openings(const Masonry& masonry);
 
 } // namespace app

@@ -17,10 +17,11 @@
 
 namespace app {
 
-std::uint32_t samples_of(const GeometryInput& geometry, const UqInput& uq,
-                         const std::vector<RandomInput>& random)
+std::uint32_t samples_of(const GeometryInput& geometry, const Sampling& sampling)
 {
-    return is_random(geometry, random) ? static_cast<std::uint32_t>(uq.samples) : 1u;
+    return is_random(geometry, sampling.random)
+               ? static_cast<std::uint32_t>(sampling.uq.samples)
+               : 1u;
 }
 
 void check_is_study(const std::filesystem::path& file)
@@ -31,15 +32,14 @@ void check_is_study(const std::filesystem::path& file)
             "is not the file of a study; give the FILE.h5 that drystone study wrote");
 }
 
-std::vector<std::uint32_t> design_sizes(const GeometryInput& geometry, const UqInput& uq,
-                                        const std::vector<RandomInput>& random,
+std::vector<std::uint32_t> design_sizes(const GeometryInput& geometry, const Sampling& sampling,
                                         const std::filesystem::path& file)
 {
-    const std::uint32_t samples = samples_of(geometry, uq, random);
+    const std::uint32_t samples = samples_of(geometry, sampling);
     std::vector<std::uint32_t> sizes;
     if (std::filesystem::exists(file)) sizes = read_head(file).design_sizes;
     if (sizes.empty() || samples > sizes.back()) sizes.push_back(samples);
-    const bool rule = uq.stop != kNoStop;
+    const bool rule = sampling.uq.stop != kNoStop;
     if (!rule && samples < sizes.back())
         sizes = {samples}; // fewer than there are: refused later
     return sizes;
@@ -75,8 +75,8 @@ StoreHead head_of(const Study& study, const dem::Layout& layout, const SamplePla
     head.responses = response_columns();
     head.counts = count_columns();
     head.cost = cost_columns();
-    head.piers = stored_piers_of(study.wall, study.geometry, study.load);
-    head.spandrels = stored_spandrels_of(study.wall, study.geometry, study.load);
+    head.piers = stored_piers_of(study, study.load);
+    head.spandrels = stored_spandrels_of(study, study.load);
     head.single_precision_curves = study.output.single_precision_curves;
     return head;
 }

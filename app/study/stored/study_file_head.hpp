@@ -11,24 +11,21 @@
 namespace app {
 
 struct GeometryInput;
-struct RandomInput;
+struct Sampling;
 struct Study;
-struct UqInput;
 
 /// How many times slower an audit pushes. The error of a wall is about 4/3 of the difference
 /// where it falls with the speed.
 constexpr std::uint32_t kAuditSlower = 4; // choice
 
 /// Walls per stress level: 1 where nothing is random.
-[[nodiscard]] std::uint32_t samples_of(const GeometryInput& geometry, const UqInput& uq,
-                                       const std::vector<RandomInput>& random);
+[[nodiscard]] std::uint32_t samples_of(const GeometryInput& geometry, const Sampling& sampling);
 
 /// Sizes through which the design has grown: those in the file, if there is one, and the
 /// study's.
 /// @throws StoreError
 [[nodiscard]] std::vector<std::uint32_t> design_sizes(const GeometryInput& geometry,
-                                                      const UqInput& uq,
-                                                      const std::vector<RandomInput>& random,
+                                                      const Sampling& sampling,
                                                       const std::filesystem::path& file);
 
 /// @throws ConfigError for a file that is there and no HDF5 file

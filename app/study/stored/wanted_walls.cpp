@@ -16,7 +16,7 @@ StudySource study_source(const std::string& path, std::span<const std::string> o
 {
     if (!is_study_name(path)) {
         Study study = read_study(path, overrides, purpose);
-        const std::uint32_t samples = samples_of(study.geometry, study.uq, study.random);
+        const std::uint32_t samples = samples_of(study.geometry, study);
         return {prepare(std::move(study)), {samples}, {}};
     }
     const StoreHead head = read_head(path);
@@ -35,7 +35,8 @@ std::vector<WantedWall> wanted_walls(const StudySource& source, const WallChoice
                               std::to_string(samples) +
                               (samples == 1 ? " sample" : " samples") + ", from 0");
     const int level = level_of(study.load, choice.level);
-    const SamplePlan plan = sample_plan(study, source.ready.layout, source.sizes);
+    const SamplePlan plan =
+        sample_plan(study, study.load, study.source, source.ready.layout, source.sizes);
     return {{level, draw(plan, level, *choice.sample)}};
 }
 

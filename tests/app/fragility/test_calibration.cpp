@@ -38,11 +38,15 @@ app::Study study_of(const std::string& calibration, const std::string& uq = "sam
                                                "[calibration]\n" + calibration));
 }
 
+app::CalibratedInputs inputs_of(const app::Study& study)
+{
+    return app::calibrated_inputs(study.calibration, study, study.source);
+}
+
 void refused(const std::string& calibration, const std::string& message,
              const std::string& uq = "samples = 25\n")
 {
-    CHECK_THROWS_WITH(app::calibrated_inputs(study_of(calibration, uq)),
-                      Catch::Contains(message));
+    CHECK_THROWS_WITH(inputs_of(study_of(calibration, uq)), Catch::Contains(message));
 }
 
 /// Points of a smooth answer of three inputs, the last of which does nothing.
@@ -97,7 +101,7 @@ TEST_CASE(
     "back",
     "[app][calibration]")
 {
-    const app::CalibratedInputs c = app::calibrated_inputs(
+    const app::CalibratedInputs c = inputs_of(
         study_of("inputs = unit.tensile_strength, joint.friction_angle\n",
                  "samples = 25\npearson = joint.friction_angle unit.tensile_strength 0.6\n"));
     REQUIRE(c.inputs.size() == 2);
@@ -110,7 +114,7 @@ TEST_CASE(
     CHECK(c.inputs[0].scale * x(0) == Approx(31.8 * (1.0 + 0.2 * 0.7)).epsilon(1e-3));
     CHECK(app::to_values(c, Eigen::Vector2d(2.0, 0.0))(1) >
           app::to_values(c, Eigen::Vector2d(0.0, 0.0))(1));
-    CHECK(app::calibrated_inputs(study_of("inputs = all\n")).all);
+    CHECK(inputs_of(study_of("inputs = all\n")).all);
 }
 
 TEST_CASE("calibration: walls that are pushed again keep the correlation of the inputs that "
@@ -120,9 +124,9 @@ TEST_CASE("calibration: walls that are pushed again keep the correlation of the 
     const app::PreparedStudy ready = app::prepare(
         study_of("inputs = joint.friction_angle\n",
                  "samples = 25\npearson = unit.tensile_strength unit.friction_angle 0.9\n"));
-    const app::CalibratedInputs inputs = app::calibrated_inputs(ready.study);
-    const uq::SpatialPlan others = app::value_plan(ready.study.uq, ready.study.random,
-                                                   ready.study.source, ready.layout, false);
+    const app::CalibratedInputs inputs = inputs_of(ready.study);
+    const uq::SpatialPlan others =
+        app::value_plan(ready.study, ready.study.source, ready.layout, false);
     const auto place = [&](const char* key) {
         return static_cast<std::size_t>(
             std::ranges::find(ready.study.random, key, &app::RandomInput::key) -
@@ -157,9 +161,9 @@ TEST_CASE("calibration: walls that are pushed again keep the rows of uq.together
         "study.ini", text + "[uq]\nsamples = 25\n"
                             "together = joint.friction_angle, joint.stiffness_factor\n"
                             "[calibration]\ninputs = unit.tensile_strength\n")));
-    const app::CalibratedInputs inputs = app::calibrated_inputs(ready.study);
-    const uq::SpatialPlan others = app::value_plan(ready.study.uq, ready.study.random,
-                                                   ready.study.source, ready.layout, false);
+    const app::CalibratedInputs inputs = inputs_of(ready.study);
+    const uq::SpatialPlan others =
+        app::value_plan(ready.study, ready.study.source, ready.layout, false);
     const Eigen::VectorXd u = Eigen::VectorXd::Constant(1, 0.5);
     std::set<double> seen;
     for (int row = 0; row < 50; ++row) {
@@ -278,7 +282,8 @@ TEST_CASE(
     const app::Study study = app::read_study(app::parse_study_text("posterior.ini", posterior));
     CHECK(study.calibration.inputs.empty());
     const std::vector<std::uint32_t> sizes = {10};
-    const app::SamplePlan plan = app::sample_plan(study, app::layout_of(study), sizes);
+    const app::SamplePlan plan =
+        app::sample_plan(study, study.load, study.source, app::layout_of(study), sizes);
     const auto& rows = plan.values.together.rows;
     REQUIRE(rows.size() == 200);
     for (int k = 0; k < 10; ++k) {

@@ -123,7 +123,7 @@ TEST_CASE(
     const auto remark = [](const std::string& wall, const std::string& states) {
         const app::Study study = study_scenes::study(
             "samples = 1\n[fragility]\nlimit_states = " + states + "\n[wall]\n" + wall);
-        return app::pier_remark(app::reading_rules(study), study.wall, study.geometry);
+        return app::pier_remark(app::reading_rules(study), study);
     };
     const std::string window = "openings = 0.2 m, 0.1 m, 0.2 m, 0.1 m";
     CHECK(remark("", "paper, ntc").empty());
@@ -145,13 +145,13 @@ TEST_CASE("fragility states: a drawn wall has several piers where its stones lea
     app::Study study;
     study.geometry.units = {box(0.0, 0.0, 0.2, 0.3), box(0.4, 0.0, 0.6, 0.3),
                             box(0.0, 0.3, 0.6, 0.4)};
-    CHECK(app::has_piers(study.wall, study.geometry));
+    CHECK(app::has_piers(study));
     study.geometry.units[1] = box(0.2, 0.0, 0.6, 0.3);
-    CHECK_FALSE(app::has_piers(study.wall, study.geometry));
+    CHECK_FALSE(app::has_piers(study));
     study.geometry.units[1] = box(0.21, 0.0, 0.6, 0.3); // a joint of mortar
-    CHECK_FALSE(app::has_piers(study.wall, study.geometry));
+    CHECK_FALSE(app::has_piers(study));
     study.geometry.units = {box(0.0, 0.0, 0.6, 0.3), box(0.0, 0.3, 0.3, 0.4)}; // a step
-    CHECK_FALSE(app::has_piers(study.wall, study.geometry));
+    CHECK_FALSE(app::has_piers(study));
 }
 
 TEST_CASE("fragility states: an arch has piers where it stands on some",
@@ -175,7 +175,7 @@ TEST_CASE("fragility states: an arch has piers where it stands on some",
     const double thickness = GENERATE(0.12, 0.4);
     app::Study study;
     study.geometry.units = arch(stones, thickness, 0.0);
-    CHECK_FALSE(app::has_piers(study.wall, study.geometry));
+    CHECK_FALSE(app::has_piers(study));
 
     study.geometry.units = arch(stones, thickness, 0.8);
     for (const double x : {0.3, 2.3}) {
@@ -184,5 +184,5 @@ TEST_CASE("fragility states: an arch has piers where it stands on some",
         pier.outline = {{x - half, 0.0}, {x + half, 0.0}, {x + half, 0.8}, {x - half, 0.8}};
         study.geometry.units.push_back(pier);
     }
-    CHECK(app::has_piers(study.wall, study.geometry));
+    CHECK(app::has_piers(study));
 }

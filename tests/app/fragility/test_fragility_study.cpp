@@ -42,7 +42,7 @@ void run_study(const fs::path& path, std::size_t walls, std::uint32_t shards = 1
     const app::Study s = study_scenes::study("samples = 3");
     const dem::Model model = app::model_of(app::prepare(s));
     const std::vector<std::uint32_t> sizes = {3};
-    const app::SamplePlan plan = sample_plan(s, model.layout, sizes);
+    const app::SamplePlan plan = sample_plan(s, s.load, s.source, model.layout, sizes);
     app::StoreHead head = app::head_of(s, model.layout, plan, sizes);
     head.shards = shards;
     app::Store store(path, head);
@@ -140,8 +140,8 @@ TEST_CASE(
     const app::Study s = study_scenes::study("samples = 1");
     const dem::Model model = app::model_of(app::prepare(s));
     const std::vector<std::uint32_t> sizes = {1};
-    app::StoreHead head =
-        app::head_of(s, model.layout, sample_plan(s, model.layout, sizes), sizes);
+    app::StoreHead head = app::head_of(
+        s, model.layout, sample_plan(s, s.load, s.source, model.layout, sizes), sizes);
     const std::size_t at = head.configuration.find("residual_friction_angle");
     REQUIRE(at != std::string::npos);
     const std::size_t end = head.configuration.find('\n', at);

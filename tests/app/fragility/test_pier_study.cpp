@@ -60,7 +60,7 @@ std::vector<app::PushedWall> pushed(const app::Study& s)
 {
     const app::PreparedStudy ready = app::prepare(s);
     const std::vector<std::uint32_t> sizes = {4};
-    const app::SamplePlan plan = app::sample_plan(s, ready.layout, sizes);
+    const app::SamplePlan plan = app::sample_plan(s, s.load, s.source, ready.layout, sizes);
     std::vector<app::PushedWall> walls(4);
     app::PushList list;
     list.size = walls.size();
@@ -260,7 +260,7 @@ TEST_CASE(
     app::StoreReader reader(file);
     app::StoreHead head = reader.head();
     const app::Study study = with_piers();
-    CHECK(head.spandrels == app::stored_spandrels_of(study.wall, study.geometry, study.load));
+    CHECK(head.spandrels == app::stored_spandrels_of(study, study.load));
     head.spandrels = {};
     {
         app::Store store(old, head);
@@ -287,7 +287,7 @@ TEST_CASE("piers in studies: what is stored of piers comes back to the bit, from
     run(study, file);
     app::StoreReader reader(file);
     const app::StoreHead head = reader.head();
-    CHECK(head.piers == app::stored_piers_of(study.wall, study.geometry, study.load));
+    CHECK(head.piers == app::stored_piers_of(study, study.load));
     std::vector<app::WallRow> rows;
     reader.for_each_row([&](const app::WallRow& row) { rows.push_back(row); });
     std::ranges::fill(rows.back().piers.facts, std::nan(""));

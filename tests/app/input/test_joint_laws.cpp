@@ -38,6 +38,11 @@ bool has_mixed_law(const dem::JointMaterial& j)
 const std::vector<std::string> kMortar = {"joint.tensile_strength=0.2 MPa",
                                           "joint.cohesion=0.2 MPa"};
 
+std::string notes_of(const app::Study& s)
+{
+    return app::joint_law_notes(s, s.parameters, s.source);
+}
+
 } // namespace
 
 TEST_CASE(
@@ -52,7 +57,7 @@ TEST_CASE(
         CHECK(joint.envelope == dem::Envelope::coulomb);
         CHECK(joint.shear_fracture_energy == 0.0);
         CHECK(study_texts::crack_material(s, 1).shear_fracture_energy == 0.0);
-        CHECK(app::joint_law_notes(s).empty());
+        CHECK(app::joint_law_notes(s, s.parameters, s.source).empty());
     }
 }
 
@@ -114,7 +119,7 @@ TEST_CASE("joint laws: the wall moduli of the paper give one law, which serves e
     CHECK(c.maximum == Approx(0.1537e-3).epsilon(3e-4));
     CHECK(study_texts::joint_material(s, 0).kn == c.initial_stiffness + 0.75e6 / c.maximum);
     CHECK(app::layout_of(s).closure == dem::Closure::hyperbolic);
-    CHECK(app::joint_law_notes(s) ==
+    CHECK(app::joint_law_notes(s, s.parameters, s.source) ==
           "note: joint.closure: k_0 = 4.866 GPa/m and V_m = 0.1537 mm, one law fitted to "
           "joint.wall_modulus; residuals -0.55, +0.47, +0.24, -0.26 %\n");
     const std::string text = app::effective_configuration(s);
@@ -191,14 +196,14 @@ TEST_CASE("joint laws: what friction takes of the tensile strength is told, wher
           "[app][joint_laws]")
 {
     CHECK(
-        app::joint_law_notes(read_good({"unit.cohesion=1 MPa"})) ==
+        notes_of(read_good({"unit.cohesion=1 MPa"})) ==
         "note: unit.envelope: coulomb leaves units 1.43 of 3.7 MPa in tension, because c < f_T "
         "tan(phi): friction takes 61 % of it; unit.envelope = hyperbolic keeps it\n");
     CHECK(
-        app::joint_law_notes(read_good(with(kMortar, {"joint.friction_angle=60 deg"}))) ==
+        notes_of(read_good(with(kMortar, {"joint.friction_angle=60 deg"}))) ==
         "note: joint.envelope: coulomb leaves mortar 0.115 of 0.2 MPa in tension, because c < "
         "f_T tan(phi): friction takes 42 % of it; joint.envelope = hyperbolic keeps it\n");
     for (const char* other : {"unit.envelope=hyperbolic", "unit.tension_reduces_shear=no",
                               "wall.unit_cracks=no", "unit.friction_angle=10 deg"})
-        CHECK(app::joint_law_notes(read_good({"unit.cohesion=1 MPa", other})).empty());
+        CHECK(notes_of(read_good({"unit.cohesion=1 MPa", other})).empty());
 }

@@ -46,8 +46,8 @@ app::Study study_of(const app::Answers& given)
 TEST_CASE("new study: the wall is the one of the answers", "[app][new_study]")
 {
     const app::Study s = study_of(kHouse);
-    CHECK(app::wall_length(s.wall, s.geometry) == 3.0);
-    CHECK(app::wall_height(s.wall, s.geometry) == Approx(2.7));
+    CHECK(app::wall_length(s) == 3.0);
+    CHECK(app::wall_height(s) == Approx(2.7));
     CHECK(s.wall.thickness == 0.5);
     CHECK(s.wall.courses == 9);
     CHECK(s.wall.unit_length == Approx(0.6));
@@ -61,7 +61,7 @@ TEST_CASE("new study: courses fill the height, halves of stones the length", "[a
 {
     const app::Study s = study_of(
         with(with(with(kHouse, "unit", "47 x 23 cm"), "height", "2.5 m"), "openings", "none"));
-    CHECK(app::wall_height(s.wall, s.geometry) == Approx(2.5).epsilon(1e-9));
+    CHECK(app::wall_height(s) == Approx(2.5).epsilon(1e-9));
     const double halves = 2.0 * 3.0 / s.wall.unit_length;
     CHECK(halves == Approx(std::round(halves)).epsilon(1e-9));
     CHECK(s.wall.unit_length == Approx(0.47).epsilon(0.05));

@@ -167,7 +167,7 @@ TEST_CASE("study: units that cannot crack need no strength", "[app][study]")
     text.erase(begin, text.find("[beam]") - begin);
     CHECK_THROWS_AS(read(text), app::ConfigError);
     const app::Study study = read(text, {"wall.unit_cracks=no"});
-    CHECK_FALSE(app::has_cracks(study.geometry, study.cracks, study.source));
+    CHECK_FALSE(app::has_cracks(study, study.source));
     CHECK(app::effective_configuration(study).find("[unit]") == std::string::npos);
     CHECK_NOTHROW(read_good({"wall.unit_cracks=no"})); // their data may stay
 }

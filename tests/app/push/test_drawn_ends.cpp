@@ -135,7 +135,7 @@ TEST_CASE("drawn ends: straight joints of an uneven wall are ways from the floor
     for (const auto& blocks :
          {stack(kFlatFoot, {600, 598, 602, 599, 600}), stack({3, 0, 2, 4, 2}, kFlatTop)}) {
         const app::Study study = wall_of(blocks);
-        const dem::Layout whole = app::whole_units(study);
+        const dem::Layout whole = app::whole_units(study, study.source);
         CHECK(dem::bond_indices(whole).trace_ratio == Approx(1.0).epsilon(1e-9));
     }
     std::vector<scenes::Outline>
@@ -144,7 +144,7 @@ TEST_CASE("drawn ends: straight joints of an uneven wall are ways from the floor
     covered.push_back(rectangle(400, 0, 800, 590));
     covered.push_back(rectangle(0, 590, 800, 600));
     const app::Study study = wall_of(covered);
-    const dem::Layout whole = app::whole_units(study);
+    const dem::Layout whole = app::whole_units(study, study.source);
     CHECK(std::isnan(dem::bond_indices(whole).trace));
 }
 

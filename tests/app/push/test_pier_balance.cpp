@@ -171,8 +171,7 @@ void check_cuts(const Study& study)
     REQUIRE(p.shots.size() > 100);
     const dem::Layout layout = layout_of(study);
     const dem::PierProbe probe(layout,
-                               dem::piers_of(app::wall_openings(study.wall, study.geometry),
-                                             wall_extent(study.wall, study.geometry)));
+                               dem::piers_of(app::wall_openings(study), wall_extent(study)));
     const std::vector<CutPier> piers = cut_piers(study, layout, probe.piers());
     const app::PierHistory whole = calm_history(study, probe, p.shots);
     std::vector<app::PierHistory> cuts;

@@ -171,7 +171,7 @@ TEST_CASE("pier reading: the wall's limit is where the first pier reaches its ow
     CHECK(app::piers_remarks(rules, wall).front().find("pier " + std::to_string(first)) !=
           std::string::npos);
     const std::string picture =
-        app::pier_picture(study.wall, study.geometry, study.load, app::layout_of(study), wall);
+        app::pier_picture(study, study.load, app::layout_of(study), wall);
     for (const char* const text : {"pier 1", "pier 3", " kN"})
         CHECK(picture.find(text) != std::string::npos);
 }
@@ -219,13 +219,13 @@ TEST_CASE("pier reading: openings of a drawing are found where its stones leave 
         study_texts::read(study_texts::kSmallWall,
                           {"wall.outlines=" + outlines, "wall.length=", "wall.courses=",
                            "wall.course_height=", "wall.unit_length=", "wall.unit_cracks="});
-    const auto openings = app::wall_openings(study.wall, study.geometry);
+    const auto openings = app::wall_openings(study);
     REQUIRE(openings.size() == 1);
     CHECK(openings[0].x == Approx(0.2).margin(0.005));
     CHECK(openings[0].width == Approx(0.6).margin(0.005));
     CHECK(openings[0].z == Approx(0.0).margin(0.005));
     CHECK(openings[0].height == Approx(0.6).margin(0.005));
-    CHECK(app::tells_piers(study.wall, study.geometry, study.load));
+    CHECK(app::tells_piers(study, study.load));
 }
 
 TEST_CASE(

@@ -186,7 +186,7 @@ TEST_CASE("scene command: layers keep their names, and a layer called wall its o
         for (std::size_t k = 0; k < a.blocks.size(); ++k)
             CHECK(a.blocks[k].material == b.blocks[k].material);
         const std::vector<app::DrawnBlock> units =
-            app::scene_units(again.geometry, app::whole_units(again));
+            app::scene_units(again.geometry, app::whole_units(again, again.source));
         CHECK(units[0].layer == "wall");
         if (!named.empty()) CHECK(units[1].layer == "other");
     }
@@ -262,7 +262,7 @@ TEST_CASE("scene units: a unit that a crack parts is whole again, with its own c
     const dem::Layout layout = app::layout_of(study);
     REQUIRE(layout.n_cracks == 2);
     const std::vector<app::DrawnBlock> units =
-        app::scene_units(study.geometry, app::whole_units(study));
+        app::scene_units(study.geometry, app::whole_units(study, study.source));
     REQUIRE(units.size() == 2);
     CHECK(units[0].outline.size() == 5);
     CHECK(units[1].outline.size() == 5);

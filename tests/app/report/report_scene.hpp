@@ -20,9 +20,9 @@ inline void run_study(const std::filesystem::path& file, const std::string& uq,
 {
     const app::Study study = study_scenes::study(uq);
     const dem::Model model = app::model_of(app::prepare(study));
-    const std::vector<std::uint32_t> sizes = {
-        app::samples_of(study.geometry, study.uq, study.random)};
-    const app::SamplePlan plan = sample_plan(study, model.layout, sizes);
+    const std::vector<std::uint32_t> sizes = {app::samples_of(study.geometry, study)};
+    const app::SamplePlan plan =
+        sample_plan(study, study.load, study.source, model.layout, sizes);
     app::StoreHead head = head_of(study, model.layout, plan, sizes);
     head.sessions = {
         {"0.1.0", "a machine", "a build", "2 threads", "2026-01-01T00:00:00Z", "2"}};

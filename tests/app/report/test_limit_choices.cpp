@@ -67,7 +67,7 @@ TEST_CASE("limit choices: the page's assumptions begin with them, each with what
     CHECK(app::cell_text(t.rows.front()[0]) == "solver: kinematics");
     CHECK(app::cell_text(t.rows.front()[1]) == "small");
     CHECK(has(app::cell_text(t.rows.front()[3]), "has no limit"));
-    CHECK(has(app::limit_choices_text(scenes::study_walls(3).study),
+    CHECK(has(app::limit_choices_text(app::limit_choices(scenes::study_walls(3).study)),
               "limit: solver.kinematics = small, wall.base = fixed"));
 }
 

@@ -91,7 +91,8 @@ void check_push(const Outputs& o)
 {
     const app::Study& study = o.walls.study;
     const dem::Model model = app::model_of(app::prepare(study));
-    const app::SamplePlan plan = sample_plan(study, model.layout, o.walls.head.design_sizes);
+    const app::SamplePlan plan =
+        sample_plan(study, study.load, study.source, model.layout, o.walls.head.design_sizes);
     const app::PushedWall w = scenes::push_one(study, app::draw(plan, 1, 0), 1);
     const Json push = Json::parse(app::summary_json(study, model.layout, w));
     const std::size_t row = o.walls.levels[0].walls.size();

@@ -46,8 +46,8 @@ Study layouts(const std::vector<std::string>& more, const char* bond = "wall.bon
 void run(const app::PreparedStudy& ready, const std::filesystem::path& file, int threads)
 {
     const Study& s = ready.study;
-    const std::vector<std::uint32_t> sizes = {app::samples_of(s.geometry, s.uq, s.random)};
-    const app::SamplePlan plan = sample_plan(s, ready.layout, sizes);
+    const std::vector<std::uint32_t> sizes = {app::samples_of(s.geometry, s)};
+    const app::SamplePlan plan = sample_plan(s, s.load, s.source, ready.layout, sizes);
     app::Store store(file, app::head_of(s, ready.layout, plan, sizes));
     app::run_walls(ready, plan, pending_walls(store, {}, false), threads, store, {});
     store.compact();
@@ -72,14 +72,14 @@ TEST_CASE("random layouts: each wall is that of its layout pushed alone, to the 
     const std::vector<app::WallRow> rows = rows_of(app::prepare(s), 2);
     REQUIRE(rows.size() == 10);
     const std::vector<std::uint32_t> sizes = {5};
-    const app::SamplePlan plan = sample_plan(s, layout_of(s), sizes);
+    const app::SamplePlan plan = sample_plan(s, s.load, s.source, layout_of(s), sizes);
     for (const app::WallRow& row : rows) {
         const Study own = layouts({"wall.seed=" + std::to_string(11 + row.key.sample % 3)});
         const dem::Model model = app::model_of(app::prepare(own));
         const int level = static_cast<int>(row.key.level);
         const app::WallDraw d = app::draw(plan, level, static_cast<int>(row.key.sample));
         const app::PushedWall w =
-            app::read_wall(own, level,
+            app::read_wall(app::reading_rules(own), own.load, own.output, level,
                            dem::push(model, app::wall_materials(own, model.layout, level, d),
                                      app::push_plan(own), own.solver));
         CHECK(row.curve.displacement == w.displacement);
@@ -103,7 +103,7 @@ TEST_CASE("random layouts: lengths of units alone make samples, the same under e
     const Study s = layouts(more, "wall.bond=running");
     CHECK(s.random.empty());
     CHECK(app::is_random(s.geometry, s.random));
-    CHECK(app::samples_of(s.geometry, s.uq, s.random) == 5);
+    CHECK(app::samples_of(s.geometry, s) == 5);
     const std::vector<app::WallRow> rows = rows_of(app::prepare(s), 2);
     REQUIRE(rows.size() == 10);
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<double>> forces;
@@ -172,7 +172,7 @@ TEST_CASE("random layouts: what done throws ends the run and is thrown, whatever
             throw std::runtime_error("the disk is full");
         };
         CHECK_THROWS_WITH(app::push_in_layouts(
-                              app::prepare(s), app::bare_plan(s), list,
+                              app::prepare(s), app::bare(app::push_plan(s)), list,
                               [](std::size_t i) { return static_cast<std::uint32_t>(i); },
                               threads),
                           "the disk is full");

@@ -56,7 +56,7 @@ TEST_CASE("report cycles: a film goes through every cycle, to both sides and bac
         app::frames_of(dem::push(model,
                                  app::materials(study.parameters, study.wall.course_height,
                                                 app::stress_level(study.load, 0), model.layout),
-                                 app::filmed_plan(study), study.solver));
+                                 app::filmed(app::push_plan(study), study.load), study.solver));
     CHECK(static_cast<int>(frames.size()) == app::film_frames(study.load) + 1);
     std::vector<double> turns = {0.0}; // displacements where it turns back
     for (std::size_t i = 1; i + 1 < frames.size(); ++i) {

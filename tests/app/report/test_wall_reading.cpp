@@ -67,7 +67,8 @@ void check_stored(const std::filesystem::path& file, const std::vector<std::stri
     const app::StudyWalls walls = app::read_study_walls(file, overrides, app::Keep::everything);
     const app::Study& study = walls.study;
     const dem::Model model = app::model_of(app::prepare(study));
-    const app::SamplePlan plan = sample_plan(study, model.layout, walls.head.design_sizes);
+    const app::SamplePlan plan =
+        sample_plan(study, study.load, study.source, model.layout, walls.head.design_sizes);
     for (const app::StudyLevel& level : walls.levels)
         for (const app::StudyWall& w : level.walls) {
             const int at = static_cast<int>(w.key.level);

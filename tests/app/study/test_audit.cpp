@@ -1,5 +1,6 @@
 /// uq.audit: walls of a study pushed again more slowly, beside the study.
 
+#include "app/input/keys/limit_state_text.hpp"
 #include "app/input/prepared_study.hpp"
 #include "app/input/study_reading.hpp"
 #include "app/study/answers/solver_error.hpp"
@@ -76,10 +77,11 @@ TEST_CASE("audit: its walls are those of the study pushed alone four times slowe
     CHECK(scenes::same_bits(own.inputs, slow.inputs));
     const dem::Model model = app::model_of(app::prepare(s));
     const std::vector<std::uint32_t> sizes = {3};
-    const app::SamplePlan plan = sample_plan(s, model.layout, sizes);
+    const app::SamplePlan plan = sample_plan(s, s.load, s.source, model.layout, sizes);
     const dem::WallMaterials m = app::wall_materials(s, model.layout, 1, app::draw(plan, 1, 0));
-    const app::PushedWall alone = app::read_wall(
-        s, 1, dem::push(model, m, app::push_plan(s), dem::slower(s.solver, 4.0)));
+    const app::PushedWall alone =
+        app::read_wall(app::reading_rules(s), s.load, s.output, 1,
+                       dem::push(model, m, app::push_plan(s), dem::slower(s.solver, 4.0)));
     CHECK(slow.curve.force == alone.force);
     CHECK(slow.curve.force != own.curve.force);
 }
@@ -161,7 +163,8 @@ TEST_CASE("audit: more walls than there are means all of them", "[app][audit]")
     const Study s = audited(50);
     const std::vector<std::uint32_t> sizes = {3};
     const dem::Layout layout = app::prepare(s).layout;
-    const app::StoreHead head = app::head_of(s, layout, sample_plan(s, layout, sizes), sizes);
+    const app::StoreHead head =
+        app::head_of(s, layout, sample_plan(s, s.load, s.source, layout, sizes), sizes);
     REQUIRE(head.levels.size() == 4);
     CHECK(head.levels[2].samples == 3);
     CHECK(head.levels[2].slower == 4);

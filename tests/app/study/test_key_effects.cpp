@@ -203,9 +203,9 @@ std::vector<double> outputs(const Study& s)
     const dem::Model model = app::model_of(app::prepare(s));
     const std::vector<std::uint32_t> sizes = {
         s.random.empty() ? 1u : static_cast<std::uint32_t>(s.uq.samples)};
-    const app::SamplePlan plan = app::sample_plan(s, model.layout, sizes);
+    const app::SamplePlan plan = app::sample_plan(s, s.load, s.source, model.layout, sizes);
     std::vector<double> all = {static_cast<double>(sizes.back()),
-                               static_cast<double>(app::layout_seed(s.wall, s.geometry, 1))};
+                               static_cast<double>(app::layout_seed(s, 1))};
     std::vector<app::PushedWall> walls(s.load.vertical_stress.size());
     app::PushList list;
     list.size = walls.size();

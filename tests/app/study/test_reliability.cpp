@@ -80,6 +80,11 @@ app::StudyFile external(const Script& script, const std::string& more)
                                                      more);
 }
 
+uq::ReliabilityProblem event_of(const app::Study& study, int threads)
+{
+    return app::program_event(study, study.program, study.reliability, study.source, threads);
+}
+
 } // namespace
 
 TEST_CASE("reliability: of another program, R - S has beta = sqrt 2 and equal shares",
@@ -89,7 +94,7 @@ TEST_CASE("reliability: of another program, R - S has beta = sqrt 2 and equal sh
     const app::StudyFile file = external(script, "[reliability]\nmethod = form\ndemand = 0\n");
     REQUIRE(app::is_program_study(file));
     std::vector<uq::Evaluated> seen;
-    const ReliabilityAnswer a = answer(program_event(app::read_program_study(file), 2), seen);
+    const ReliabilityAnswer a = answer(event_of(app::read_program_study(file), 2), seen);
     REQUIRE(a.methods.front().probability);
     CHECK(*a.methods.front().probability == Approx(7.864960352514e-2).epsilon(1e-7));
     REQUIRE(a.sensitivities.size() == 1);
@@ -114,7 +119,7 @@ TEST_CASE("reliability: single and double quotes hold the words of a command tog
                 "\nresponses = g\n[variables]\nr = normal(mean 4, sd 1)\n"
                 "s = normal(mean 2, sd 1)\n[reliability]\nmethod = form\ndemand = 0\n");
         std::vector<uq::Evaluated> seen;
-        return answer(program_event(app::read_program_study(file), 2), seen);
+        return answer(event_of(app::read_program_study(file), 2), seen);
     };
     for (const std::string& command :
          {"sh -c '" + path + " \"$0\"' {input}", "sh -c \"" + path + " '{input}'\""}) {
@@ -134,7 +139,7 @@ TEST_CASE("reliability: correlated variables of another program, R - S with rho 
     const app::StudyFile file = external(script, "[reliability]\nmethod = form\ndemand = 0\n"
                                                  "[uq]\npearson = r s 0.5\n");
     std::vector<uq::Evaluated> seen;
-    const ReliabilityAnswer a = answer(program_event(app::read_program_study(file), 2), seen);
+    const ReliabilityAnswer a = answer(event_of(app::read_program_study(file), 2), seen);
     REQUIRE(a.methods.front().probability);
     // beta = 2 / sqrt(1 + 1 - 2 rho) = 2
     CHECK(*a.methods.front().probability == Approx(2.275013194818e-2).epsilon(1e-6));
@@ -145,7 +150,7 @@ TEST_CASE("reliability: faults of a study of another program are named", "[app][
     const Script script;
     const auto said = [&](const std::string& more) {
         try {
-            (void)program_event(app::read_program_study(external(script, more)), 2);
+            (void)event_of(app::read_program_study(external(script, more)), 2);
         } catch (const app::ConfigError& e) {
             return std::string(e.what());
         }
@@ -176,7 +181,7 @@ TEST_CASE("reliability: Sobol' indices of another program are those of the close
     const app::StudyFile file =
         external(script, "[reliability]\nmethod = sobol\ndemand = 0\nbudget = 800\n");
     std::vector<uq::Evaluated> seen;
-    const ReliabilityAnswer a = answer(program_event(app::read_program_study(file), 2), seen);
+    const ReliabilityAnswer a = answer(event_of(app::read_program_study(file), 2), seen);
     CHECK(a.evaluations == 800);
     CHECK(a.methods.front().outcome.find("target") == std::string::npos); // none has an effect
     REQUIRE(a.sensitivities.size() == 2);
@@ -201,7 +206,7 @@ TEST_CASE("reliability: no method asks for more evaluations than its budget",
         external(script, "[reliability]\nmethod = " + method +
                              "\ndemand = 0\nbudget = " + budget + "\ntarget_cov = 0.001\n");
     std::vector<uq::Evaluated> seen;
-    const ReliabilityAnswer a = answer(program_event(app::read_program_study(file), 2), seen);
+    const ReliabilityAnswer a = answer(event_of(app::read_program_study(file), 2), seen);
     INFO(method);
     CHECK(seen.size() <= std::stoul(budget));
     CHECK(seen.size() == a.evaluations);
@@ -221,7 +226,7 @@ TEST_CASE(
                         "method = " +
                             method + "\n");
     std::vector<uq::Evaluated> seen;
-    const ReliabilityAnswer a = answer(program_event(app::read_program_study(file), 2), seen);
+    const ReliabilityAnswer a = answer(event_of(app::read_program_study(file), 2), seen);
     INFO(method);
     REQUIRE(a.evaluations > 0);
     CHECK(a.failed.size() == a.evaluations);

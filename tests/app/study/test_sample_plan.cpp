@@ -29,7 +29,7 @@ namespace {
 SamplePlan plan_of(const Study& s, std::vector<std::uint32_t> sizes = {})
 {
     if (sizes.empty()) sizes = {static_cast<std::uint32_t>(s.uq.samples)};
-    return sample_plan(s, layout_of(s), sizes);
+    return sample_plan(s, s.load, s.source, layout_of(s), sizes);
 }
 
 double mean_of(const SamplePlan& plan, std::size_t input, int level)

@@ -1,3 +1,4 @@
+#include "app/input/keys/limit_state_text.hpp"
 #include "app/input/prepared_study.hpp"
 #include "app/input/study_reading.hpp"
 #include "app/input/wall/wall_geometry.hpp"
@@ -35,8 +36,8 @@ Ran run(const Study& s, int threads = 2)
     const scenes::TemporaryFolder folder;
     const fs::path file = folder.path / "study.h5";
     Ran r{app::model_of(app::prepare(s)), {}, {}};
-    const std::vector<std::uint32_t> sizes = {app::samples_of(s.geometry, s.uq, s.random)};
-    r.plan = sample_plan(s, r.model.layout, sizes);
+    const std::vector<std::uint32_t> sizes = {app::samples_of(s.geometry, s)};
+    r.plan = sample_plan(s, s.load, s.source, r.model.layout, sizes);
     app::Store store(file, app::head_of(s, r.model.layout, r.plan, sizes));
     app::run_walls(app::prepare(s), r.plan, pending_walls(store, {}, false), threads, store,
                    {});
@@ -51,7 +52,8 @@ app::PushedWall pushed_alone(const Study& s, int level, const app::WallDraw& dra
 {
     const dem::Model model = app::model_of(app::prepare(s));
     const dem::WallMaterials m = app::wall_materials(s, model.layout, level, draw);
-    return app::read_wall(s, level, dem::push(model, m, app::push_plan(s), s.solver));
+    return app::read_wall(app::reading_rules(s), s.load, s.output, level,
+                          dem::push(model, m, app::push_plan(s), s.solver));
 }
 
 } // namespace
@@ -187,7 +189,7 @@ TEST_CASE("study runner: a shard that another version shared out is not gone on 
     CHECK(app::run_study(app::prepare(s), part).before == 4);
     const dem::Layout layout = app::layout_of(s);
     const std::vector<std::uint32_t> sizes = {4};
-    const app::SamplePlan plan = sample_plan(s, layout, sizes);
+    const app::SamplePlan plan = sample_plan(s, s.load, s.source, layout, sizes);
     app::StoreHead head = app::head_of(s, layout, plan, sizes);
     head.shards = 2;
     part.file = folder.path / "old.h5";

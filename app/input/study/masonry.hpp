@@ -1,9 +1,10 @@
 #pragma once
-/// The wall of a study that is not built by sizes alone: drawings, rubble, openings, and where
-/// its units crack.
+/// The wall of a study: its sizes, what is not built by sizes alone (drawings, rubble,
+/// openings), where its units crack, and the beam on it.
 
 #include "dem/scene/drawn_layout.hpp"
 #include "dem/scene/paper_materials.hpp"
+#include "dem/scene/wall.hpp"
 
 #include <string>
 #include <vector>
@@ -40,6 +41,14 @@ struct CrackInput {
     std::string where;        ///< "toe", or "x, z, width, height"; empty: everywhere
     std::string elsewhere;    ///< a pattern; empty: mid
     bool cut_nothing = false; ///< a drawn wall has no unit that the patterns cut
+};
+
+/// All that stands there.
+struct Masonry {
+    dem::WallGeometry wall;
+    GeometryInput geometry;
+    CrackInput cracks;
+    dem::Beam beam{.material = {.poisson_ratio = 0.2}}; // choice: concrete
 };
 
 } // namespace app
