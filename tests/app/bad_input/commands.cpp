@@ -45,7 +45,7 @@ const std::vector<BadCommand> kCommands = {
     {"status of a study file", {"status", "study.ini"},
         "study.ini: is not the file of a study; give the FILE.h5 that drystone study wrote"},
     {"one thing to compare", {"compare", "runs/a"},
-        "drystone: compare: missing A B...; write \"drystone compare runs/wall runs/other_wall\""},
+        "drystone: compare: missing A...; write \"drystone compare runs/wall runs/other_wall\""},
     {"a thing that cannot be compared", {"compare", "study.ini", "study.ini"},
         "study.ini: cannot be compared; give a FILE.h5, the folder of a push or of fragility, or a .csv with displacement_mm,force_kN"},
     {"a measured curve that is not there", {"push", "study.ini", "--sample", "mean", "--beside", "none.csv"},
