@@ -122,6 +122,10 @@ int compare_command(const Command& command)
         std::cout << (&p == &parts.front() ? "" : "\n" + p.table.title + "\n")
                   << as_text(p.table, terminal_width());
     }
+    for (const Compared& c : all)
+        if (const std::string key = targets_along(c); !key.empty())
+            std::cout << wrapped("to push a wall as " + c.name + ": " + key + "\n",
+                                 terminal_width());
     files.push_back({"compare.html", page(parts)});
     write_results(command.out, files, kCompareList);
     std::cout << "written to " << command.out << '\n';

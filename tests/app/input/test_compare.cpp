@@ -142,6 +142,11 @@ TEST_CASE("compare: cycles of a measured loop have the work and damping of their
         CHECK(cycles[3].energy == Approx(280.0).epsilon(0.01));
         CHECK(fragility::equivalent_damping(cycles[3]).value() ==
               Approx(2.0 / 3.14159265 * 3.5 / 4.0).epsilon(0.02));
+        CHECK(app::targets_along(c).empty()); // only of measured paths
+        c.measured = true;
+        const std::string targets = app::targets_along(c);
+        CHECK(std::ranges::count(targets, ',') == 8);
+        if (jitter == 0.0) CHECK(targets == "load.targets = 2, -2, 2, -2, 4, -4, 4, -4, 0 mm");
     }
     CHECK(app::compared_cycle_table({c}).rows.size() == 4);
     c.displacement.resize(100), c.force.resize(100); // one way
