@@ -11,8 +11,8 @@
 namespace app {
 namespace {
 
-/// Jitter before the first cycle, and between two turns of a path, as a share of the farthest displacement [-]: less than the
-/// first cycle of ISO 16670. A free choice.
+/// Jitter before the first cycle, and between two turns of a path, as a share of the farthest
+/// displacement [-]: less than the first cycle of ISO 16670. A free choice.
 constexpr double kFirstJitter = 0.01;
 
 double farthest_of(const std::vector<double>& u)
