@@ -314,3 +314,13 @@ TEST_CASE("dxf drawing: names of layers are read as people see them", "[app][dxf
                      {.unit = 1.0})
               .blocks.size() == 1);
 }
+
+TEST_CASE("dxf drawing: the frame of the sheet is no stone", "[app][dxf_drawing]")
+{
+    const app::Drawing drawing = drawing_of(
+        "w.dxf", dxf_text(lwpolyline(rectangle(-1, -1, 5, 4), true, "frame") +
+                          lwpolyline(rectangle(0, 0, 2, 1)) +
+                          lwpolyline(rectangle(0, 1, 2, 2))));
+    CHECK(drawing.blocks.size() == 2);
+    CHECK(scenes::notes(drawing, "goes around all stones"));
+}
