@@ -83,6 +83,7 @@ Drawing read_drawing(const std::filesystem::path& path, const DrawingOptions& op
     const double snap = options.snap;
     const auto fitted = [&](RawDrawing drawing) {
         take_out_frames(drawing, snap);
+        divide_outlines(drawing, snap);
         return fit_drawing(std::move(drawing), snap);
     };
     if (extension == ".dxf") return fitted(read_dxf(frame, read_drawing_bytes(path), snap));

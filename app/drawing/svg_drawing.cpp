@@ -48,7 +48,8 @@ void add_polygon(SvgContent& content, const SvgElement& element, const SvgGroup&
     for (const SvgPoint& p : points)
         outline.corners.push_back(placed(content, element, group.transform, p));
     add_outline(content.drawing, std::move(outline), closed, content.snap);
-    content.paints.push_back({group.has_fill(), group.has_stroke()});
+    if (content.drawing.outlines.size() > content.paints.size())
+        content.paints.push_back({group.has_fill(), group.has_stroke()});
 }
 
 void add_rectangle(SvgContent& content, const SvgElement& element, const SvgGroup& group)

@@ -317,10 +317,33 @@ TEST_CASE("dxf drawing: names of layers are read as people see them", "[app][dxf
 
 TEST_CASE("dxf drawing: the frame of the sheet is no stone", "[app][dxf_drawing]")
 {
-    const app::Drawing drawing = drawing_of(
-        "w.dxf", dxf_text(lwpolyline(rectangle(-1, -1, 5, 4), true, "frame") +
-                          lwpolyline(rectangle(0, 0, 2, 1)) +
-                          lwpolyline(rectangle(0, 1, 2, 2))));
+    const app::Drawing drawing =
+        drawing_of("w.dxf", dxf_text(lwpolyline(rectangle(-1, -1, 5, 4), true, "frame") +
+                                     lwpolyline(rectangle(0, 0, 2, 1)) +
+                                     lwpolyline(rectangle(0, 1, 2, 2))));
     CHECK(drawing.blocks.size() == 2);
     CHECK(scenes::notes(drawing, "goes around all stones"));
+}
+
+TEST_CASE("dxf drawing: lines divide an outline into stones", "[app][dxf_drawing]")
+{
+    const std::string lines =
+        dxf_line(0, 1, 4, 1) + dxf_line(2, 0, 2, 1) + dxf_line(1, 1, 1, 2, "head");
+    const app::Drawing drawing =
+        drawing_of("w.dxf", dxf_text(lwpolyline(rectangle(0, 0, 4, 2), true, "wall") + lines));
+    CHECK(drawing.blocks.size() == 4);
+    CHECK(area(drawing) == 8.0);
+    CHECK(scenes::common_sides(drawing) == 5);
+    CHECK(scenes::notes(drawing, "is divided by lines"));
+    const app::Drawing polylines = drawing_of(
+        "w.dxf", dxf_text(lwpolyline(rectangle(0, 0, 4, 2)) + lwpolyline({0, 1, 4, 1}, false) +
+                          lwpolyline({2, 0, 2, 1}, false) + lwpolyline({1, 1, 1, 2}, false)));
+    CHECK(polylines.blocks.size() == 4);
+    // in the frame of a sheet, and beside a stone of its own that shares a line's place
+    const std::string beside = lwpolyline(rectangle(4, 0, 5, 2)) + dxf_line(4, 0, 4, 2);
+    const app::Drawing framed = drawing_of(
+        "w.dxf", dxf_text(lwpolyline(rectangle(-1, -1, 6, 4)) +
+                          lwpolyline(rectangle(0, 0, 4, 2), true, "wall") + lines + beside));
+    CHECK(framed.blocks.size() == 5);
+    CHECK(area(framed) == 10.0);
 }

@@ -171,8 +171,10 @@ TEST_CASE("svg page: a rectangle around all stones is the page or its frame, and
         const app::Drawing drawing = wall(body);
         CHECK(drawing.blocks.size() == 2);
         CHECK(area(drawing) == Approx(4.0));
-        CHECK(scenes::notes(drawing, "The rectangle of line 1 goes around all stones"));
+        CHECK(scenes::notes(drawing, "The outline of line 1 goes around all stones"));
     }
+    const std::string joints = "<path d='M0 1H2' stroke='#000'/><path d='M1 1V2'/>";
+    CHECK(wall("<rect width='2' height='2'/>" + joints).blocks.size() == 3);
     CHECK(scenes::notes(wall("<rect width='100%' height='100%'/>" + stones), "1 page"));
     // two windows in a facade, one stone in another, and a frame that is none
     CHECK_THAT(refusal("w.svg",
