@@ -347,3 +347,16 @@ TEST_CASE("dxf drawing: lines divide an outline into stones", "[app][dxf_drawing
     CHECK(framed.blocks.size() == 5);
     CHECK(area(framed) == 10.0);
 }
+
+TEST_CASE("dxf drawing: joints drawn through each other are cut where they cross",
+          "[app][dxf_drawing]")
+{
+    std::string lines;
+    for (const double at : {0.0, 1.0, 2.0, 3.0})
+        lines += dxf_line(0, at, 3, at) + dxf_line(at, 0, at, 3);
+    const app::Drawing drawing = drawing_of("w.dxf", dxf_text(lines));
+    CHECK(drawing.blocks.size() == 9);
+    CHECK(area(drawing) == Approx(9.0));
+    CHECK(scenes::common_sides(drawing) == 12);
+    CHECK(scenes::notes(drawing, "4 crossings of lines"));
+}
