@@ -144,7 +144,7 @@ TEST_CASE(
                    dxf_line(1, 1, 2, 2)),
           "w.dxf:42: this line ends at (2, 2)", "no other begins"},
          {"w.dxf", dxf_text(dxf_line(0, 0, 2.003, 0) + dxf_line(2, -0.003, 2, 1)),
-          "w.dxf:", "at (2, 0); end both there"},
+          "w.dxf:18: this line crosses the one of line 6 at (2, ", "; end both there"},
          {"w.dxf",
           dxf_text(dxf_line(0, 0, 1, 0) + dxf_line(1, 0, 1, 1) + dxf_line(1, 1, 0, 0) +
                    dxf_line(1, 0, 3, 0) + dxf_line(3, 0, 4, 0) + dxf_line(4, 0, 4, 1) +
