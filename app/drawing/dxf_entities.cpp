@@ -56,7 +56,7 @@ void refuse_height(const DrawingFrame& frame, int line, double a, double b)
            "lines of the wall have different z; draw the wall flat in the x-y plane");
 }
 
-/// What a block draws is named by the line that inserts it.
+/// Line that names an entity: of the entity, or of the insertion of its block.
 int line_of(const DxfContent& content, int line)
 {
     return content.within.line > 0 ? content.within.line : line;
