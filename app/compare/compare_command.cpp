@@ -1,6 +1,7 @@
 #include "app/compare/compare_command.hpp"
 
 #include "app/compare/compared.hpp"
+#include "app/compare/compared_cycles.hpp"
 #include "app/compare/compared_limits.hpp"
 #include "app/output/picture/markup.hpp"
 #include "app/output/picture/svg_elements.hpp"
@@ -33,7 +34,7 @@ std::string html_table(const Table& table)
     return body + "</tr>\n</table>\n";
 }
 
-/// A table with its chart before it.
+/// A table with its chart, if it has one, before it.
 struct Part {
     std::string name; ///< of its files
     Table table;
@@ -90,7 +91,7 @@ int compare_command(const Command& command)
 {
     std::vector<std::filesystem::path> names = {"compare.svg", "limits.svg", "compare.html"};
     for (const char* const ending : kTableEndings)
-        for (const char* const name : {"compare", "limits"})
+        for (const char* const name : {"compare", "cycles", "limits"})
             names.push_back(std::string(name) + ending);
     if (const std::string note = check_results(command.out, names, kCompareList);
         !command.quiet)
@@ -101,20 +102,30 @@ int compare_command(const Command& command)
     for (const std::string& path : command.words)
         read.push_back({path, read_compared(path), read_limits(path)});
     for (ReadFrom& r : told_apart(std::move(read))) {
+        for (const Compared& c : r.walls)
+            if (!c.note.empty())
+                std::cerr << wrapped("note: " + r.path + ": " + c.note + ".\n",
+                                     terminal_width());
         std::ranges::move(r.walls, std::back_inserter(all));
         std::ranges::move(r.limits, std::back_inserter(limits));
     }
     std::vector<Part> parts;
     if (!all.empty()) parts.push_back({"compare", compared_table(all), compared_chart(all)});
+    if (Table cycles = compared_cycle_table(all); !cycles.rows.empty())
+        parts.push_back({"cycles", std::move(cycles), ""});
     if (!limits.empty())
         parts.push_back({"limits", compared_limit_table(limits), compared_limit_chart(limits)});
     std::vector<OutputFile> files;
     for (const Part& p : parts) {
         add_table(files, p.name, p.table);
-        files.push_back({p.name + ".svg", p.chart});
+        if (!p.chart.empty()) files.push_back({p.name + ".svg", p.chart});
         std::cout << (&p == &parts.front() ? "" : "\n" + p.table.title + "\n")
                   << as_text(p.table, terminal_width());
     }
+    for (const Compared& c : all)
+        if (const std::string key = targets_along(c); !key.empty())
+            std::cout << wrapped("to push a wall as " + c.name + ": " + key + "\n",
+                                 terminal_width());
     files.push_back({"compare.html", page(parts)});
     write_results(command.out, files, kCompareList);
     std::cout << "written to " << command.out << '\n';

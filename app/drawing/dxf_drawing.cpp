@@ -134,6 +134,10 @@ RawDrawing read_dxf(const DrawingFrame& frame, std::string_view bytes, double sn
         refuse(frame, groups.line(),
                "has no section ENTITIES; draw the outlines of the blocks in the model space");
     note_inserted(content);
+    if (content.arcs > 0)
+        content.drawing.notes.push_back(counted(content.arcs, "arc", "arcs") +
+                                        " became straight pieces, at most " +
+                                        millimetres(0.5 * snap) + " off (half of wall.snap).");
     note_ignored(content.drawing, content.ignored);
     if (content.in_paper_space > 0)
         content.drawing.notes.push_back(

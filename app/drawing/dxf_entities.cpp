@@ -1,13 +1,17 @@
 #include "app/drawing/dxf_entities.hpp"
 
+#include "app/drawing/outlines/arc_pieces.hpp"
 #include "app/drawing/outlines/drawing_file.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <numbers>
 #include <optional>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace app {
 namespace {
@@ -18,9 +22,6 @@ struct Remedy {
 
 // Entities that can be a stone, but have no straight sides of their own.
 constexpr std::array kRefused = {
-    Remedy{
-        "ARC",
-        "an arc; draw it as a polyline of straight pieces (FLATTEN or PEDIT in most programs)"},
     Remedy{"CIRCLE", "a circle; draw it as a polyline of straight pieces"},
     Remedy{"ELLIPSE", "an ellipse; draw it as a polyline of straight pieces"},
     Remedy{"SPLINE",
@@ -48,16 +49,6 @@ std::string layer_of(const DxfContent& content, const DxfEntity& entity)
     return layer ? dxf_name(layer->value) : "";
 }
 
-void refuse_bulge(const DrawingFrame& frame, const DxfGroup& group, dem::Point at)
-{
-    // rise over half of the chord: programs that straighten arcs leave values such as 1e-12
-    constexpr double kStraight = 1e-7;
-    if (std::abs(dxf_number(frame, group)) <= kStraight) return;
-    refuse(frame, group.line,
-           "the side that begins at " + raw_coordinates(frame, at) +
-               " is an arc (bulge); draw it as straight pieces (FLATTEN or PEDIT, Decurve)");
-}
-
 void refuse_height(const DrawingFrame& frame, int line, double a, double b)
 {
     if (std::abs(a - b) <= 1e-6 * (1.0 + std::abs(a))) return;
@@ -65,19 +56,59 @@ void refuse_height(const DrawingFrame& frame, int line, double a, double b)
            "lines of the wall have different z; draw the wall flat in the x-y plane");
 }
 
-/// Adds an outline; those of blocks are named by the line that inserts them.
-void add_placed(DxfContent& content, RawOutline outline, bool closed)
+/// Line that names an entity: of the entity, or of the insertion of its block.
+int line_of(const DxfContent& content, int line)
 {
+    return content.within.line > 0 ? content.within.line : line;
+}
+
+/// A corner in the axes of its polyline.
+struct DxfCorner {
+    dem::Point at;
+    int line = 0;       ///< of the file
+    double bulge = 0.0; ///< of the side that begins here (arc_pieces.hpp)
+};
+
+/// Distance of straight pieces from their arc, in the drawing's unit: corners of other blocks
+/// on the arc are then within snap of the pieces.
+double off_arc(const DxfContent& content)
+{
+    return 0.5 * content.snap / content.drawing.frame.unit;
+}
+
+/// A chain of points as lines.
+void add_lines(DxfContent& content, const std::vector<dem::Point>& chain,
+               const DxfEntity& entity)
+{
+    for (std::size_t i = 1; i < chain.size(); ++i)
+        add_line(content.drawing, {chain[i - 1], chain[i], layer_of(content, entity),
+                                   line_of(content, entity.line)});
+}
+
+/// Adds an outline, or a side alone as lines.
+void add_polyline(DxfContent& content, const DxfEntity& entity,
+                  const std::vector<DxfCorner>& corners, bool closed)
+{
+    RawOutline outline{{}, layer_of(content, entity), entity.line};
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const DxfCorner& c = corners[i];
+        outline.corners.push_back(placed(content, c.line, c.at));
+        if (i + 1 == corners.size() && !closed) break;
+        const auto arc =
+            bulge_points(c.at, corners[(i + 1) % corners.size()].at, c.bulge, off_arc(content));
+        content.arcs += arc.empty() ? 0 : 1;
+        for (const dem::Point p : arc) outline.corners.push_back(placed(content, c.line, p));
+    }
+    if (!closed && corners.size() == 2) return add_lines(content, outline.corners, entity);
     add_outline(content.drawing, std::move(outline), closed, content.snap);
-    const int inserted = content.within.line;
-    if (inserted > 0) content.drawing.outlines.back().line = inserted;
+    content.drawing.outlines.back().line = line_of(content, entity.line);
 }
 
 void add_light_polyline(DxfContent& content, const DxfEntity& entity)
 {
     const DrawingFrame& frame = content.drawing.frame;
     const double extrusion = extrusion_of(frame, entity);
-    RawOutline outline{{}, layer_of(content, entity), entity.line};
+    std::vector<DxfCorner> corners;
     double x = 0.0;
     bool has_x = false;
     for (const DxfGroup& group : entity.groups) {
@@ -88,16 +119,15 @@ void add_light_polyline(DxfContent& content, const DxfEntity& entity)
             if (!has_x)
                 refuse(frame, group.line,
                        "a corner has y and no x; save the drawing as DXF again");
-            outline.corners.push_back(
-                placed(content, group.line, {x, dxf_number(frame, group)}));
+            corners.push_back({{x, dxf_number(frame, group)}, group.line});
             has_x = false;
-        } else if (group.code == 42 && !outline.corners.empty()) {
-            refuse_bulge(frame, group, outline.corners.back());
+        } else if (group.code == 42 && !corners.empty()) {
+            corners.back().bulge = extrusion * dxf_number(frame, group);
         }
     }
     if (has_x)
         refuse(frame, entity.line, "a corner has x and no y; save the drawing as DXF again");
-    add_placed(content, std::move(outline), (integer_of(frame, entity, 70, 0) & 1) != 0);
+    add_polyline(content, entity, corners, (integer_of(frame, entity, 70, 0) & 1) != 0);
 }
 
 void refuse_no_polyline(const DrawingFrame& frame, const DxfEntity& entity, int flags)
@@ -119,7 +149,7 @@ void add_heavy_polyline(DxfContent& content, const DxfEntity& entity, DxfGroups&
     const double extrusion = extrusion_of(frame, entity);
     const int flags = integer_of(frame, entity, 70, 0);
     refuse_no_polyline(frame, entity, flags);
-    RawOutline outline{{}, layer_of(content, entity), entity.line};
+    std::vector<DxfCorner> corners;
     double height = 0.0;
     std::optional<DxfGroup> head;
     while ((head = groups.next())) {
@@ -127,15 +157,15 @@ void add_heavy_polyline(DxfContent& content, const DxfEntity& entity, DxfGroups&
         if (head->value != "VERTEX") break;
         const DxfEntity vertex = read_entity(groups, *head);
         const dem::Point p = point_of(frame, vertex, 10, 20);
-        const dem::Point at = placed(content, vertex.line, {extrusion * p.x, p.z});
         const double z = number_of(frame, vertex, 30, 0.0);
-        if (outline.corners.empty()) height = z;
+        if (corners.empty()) height = z;
         refuse_height(frame, vertex.line, height, z);
-        if (const DxfGroup* bulge = find_group(vertex, 42)) refuse_bulge(frame, *bulge, at);
-        outline.corners.push_back(at);
+        corners.push_back({{extrusion * p.x, p.z},
+                           vertex.line,
+                           extrusion * number_of(frame, vertex, 42, 0.0)});
     }
     if (head && head->value != "SEQEND") groups.step_back();
-    add_placed(content, std::move(outline), (flags & 1) != 0);
+    add_polyline(content, entity, corners, (flags & 1) != 0);
 }
 
 void add_straight(DxfContent& content, const DxfEntity& entity)
@@ -143,11 +173,29 @@ void add_straight(DxfContent& content, const DxfEntity& entity)
     const DrawingFrame& frame = content.drawing.frame;
     refuse_height(frame, entity.line, number_of(frame, entity, 30, 0.0),
                   number_of(frame, entity, 31, 0.0));
-    const int inserted = content.within.line;
-    add_line(content.drawing,
-             {placed(content, entity.line, point_of(frame, entity, 10, 20)),
-              placed(content, entity.line, point_of(frame, entity, 11, 21)),
-              layer_of(content, entity), inserted > 0 ? inserted : entity.line});
+    add_lines(content,
+              {placed(content, entity.line, point_of(frame, entity, 10, 20)),
+               placed(content, entity.line, point_of(frame, entity, 11, 21))},
+              entity);
+}
+
+void add_arc(DxfContent& content, const DxfEntity& entity)
+{
+    const DrawingFrame& frame = content.drawing.frame;
+    constexpr double kWhole = 360.0, kRadians = std::numbers::pi / 180.0; // of degrees
+    const double extrusion = extrusion_of(frame, entity),
+                 radius = number_of(frame, entity, 40, 0.0),
+                 begin = number_of(frame, entity, 50, 0.0),
+                 end = number_of(frame, entity, 51, kWhole),
+                 turned = std::fmod(end - begin, kWhole);
+    if (!(radius > 0.0)) refuse(frame, entity.line, "an arc has no radius; delete it");
+    std::vector<dem::Point> chain;
+    for (const dem::Point p :
+         arc_points(point_of(frame, entity, 10, 20), radius, begin * kRadians,
+                    (turned > 0.0 ? turned : turned + kWhole) * kRadians, off_arc(content)))
+        chain.push_back(placed(content, entity.line, {extrusion * p.x, p.z}));
+    ++content.arcs;
+    add_lines(content, chain, entity);
 }
 
 /// True for an entity that is invisible (group 60), or on a layer that is off or frozen; and
@@ -201,6 +249,7 @@ void add_entity(DxfContent& content, const DxfEntity& entity, DxfGroups& groups)
     if (entity.type == "LWPOLYLINE") return add_light_polyline(content, entity);
     if (entity.type == "POLYLINE") return add_heavy_polyline(content, entity, groups);
     if (entity.type == "LINE") return add_straight(content, entity);
+    if (entity.type == "ARC") return add_arc(content, entity);
     if (entity.type == "INSERT")
         return insert_block(content, entity, layer_of(content, entity), groups);
     ++content.ignored[readable_name(entity.type.substr(0, 40))];

@@ -20,6 +20,7 @@ struct DxfContent {
     double snap = 0.0;                          ///< [m]
     std::map<std::string, std::size_t> ignored; ///< how many of each type
     std::size_t in_paper_space = 0;
+    std::size_t arcs = 0; ///< read as straight pieces
     std::set<std::string> hidden_layers; ///< off or frozen, in upper case
     std::set<std::string> frozen_layers; ///< those of them that are frozen
     HiddenShapes hidden;
@@ -33,7 +34,7 @@ void add_layer(DxfContent& content, const DxfEntity& layer);
 
 /// Adds what the entity draws; of a POLYLINE its vertices too, which follow it in `groups`; of
 /// an INSERT all that its block draws.
-/// @throws ConfigError if it is curved, or not flat
+/// @throws ConfigError if it is a curve other than an arc, or not flat
 void add_entity(DxfContent& content, const DxfEntity& entity, DxfGroups& groups);
 
 } // namespace app

@@ -1,5 +1,6 @@
 #include "app/drawing/outlines/drawing_file.hpp"
 #include "app/drawing/outlines/drawing_formats.hpp"
+#include "app/drawing/outlines/sheet_frames.hpp"
 #include "app/text/config_error.hpp"
 #include "dem/scene/drawn_layout.hpp"
 
@@ -80,12 +81,15 @@ Drawing read_drawing(const std::filesystem::path& path, const DrawingOptions& op
                              options.unit_given, true,         options.close_outlines, {}};
     check_options(frame.file, options);
     const double snap = options.snap;
-    if (extension == ".dxf")
-        return fit_drawing(read_dxf(frame, read_drawing_bytes(path), snap), snap);
+    const auto fitted = [&](RawDrawing drawing) {
+        take_out_frames(drawing, snap);
+        divide_outlines(drawing, snap);
+        return fit_drawing(std::move(drawing), snap);
+    };
+    if (extension == ".dxf") return fitted(read_dxf(frame, read_drawing_bytes(path), snap));
     if (extension == ".json")
         return fit_drawing(read_json_drawing(frame, read_drawing_bytes(path), snap), snap);
-    if (extension == ".svg")
-        return fit_drawing(read_svg(frame, read_drawing_bytes(path), snap), snap);
+    if (extension == ".svg") return fitted(read_svg(frame, read_drawing_bytes(path), snap));
     if (is_picture(path)) return read_picture(frame, read_drawing_bytes(path), options);
     throw ConfigError(frame.file, 0, "",
                       "is not a drawing that can be read; " + remedy_for(extension));

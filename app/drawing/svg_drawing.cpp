@@ -48,7 +48,8 @@ void add_polygon(SvgContent& content, const SvgElement& element, const SvgGroup&
     for (const SvgPoint& p : points)
         outline.corners.push_back(placed(content, element, group.transform, p));
     add_outline(content.drawing, std::move(outline), closed, content.snap);
-    content.paints.push_back({group.has_fill(), group.has_stroke()});
+    if (content.drawing.outlines.size() > content.paints.size())
+        content.paints.push_back({group.has_fill(), group.has_stroke()});
 }
 
 void add_rectangle(SvgContent& content, const SvgElement& element, const SvgGroup& group)
@@ -123,6 +124,14 @@ bool is_unpainted(const SvgElement& element, const SvgGroup& group)
 {
     return !group.has_fill() && !group.has_stroke() && element.name != "line" &&
            element.name != "use";
+}
+
+/// A background of the page as web pages have it.
+bool is_page(const SvgElement& element)
+{
+    const char *width = element.find("width"), *height = element.find("height");
+    return element.name == "rect" && width && height && without_blanks(width) == "100%" &&
+           without_blanks(height) == "100%";
 }
 
 /// True for a shape that is not shown, or whose group is not.
@@ -211,6 +220,10 @@ void add_element(SvgContent& content, const SvgElement& element)
     if (std::ranges::find(kSilent, name) != kSilent.end()) return;
     SvgGroup group = group_within(content.groups.back(), content.sheet, element);
     if (count_hidden(content, element, group)) return;
+    if (is_page(element)) {
+        ++content.ignored["page"];
+        return;
+    }
     if (name == "use") return add_clone(content, element, std::move(group));
     if (add_shape(content, element, group)) {
         content.clipped += group.clipped ? 1 : 0;

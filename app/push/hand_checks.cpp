@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <utility>
 
@@ -178,6 +179,27 @@ void add_coarse_peak(const PushedWall& w, std::vector<std::string>& remarks)
             "higher; write a smaller output.record_every");
 }
 
+/// Joints as stiff as stone yield before the first point of a side: its stiffness is then that
+/// of the spacing of points.
+void add_coarse_begin(const PushedWall& w, std::vector<std::string>& remarks)
+{
+    constexpr double kMost = 0.7; // of the peak, above the 60 % of the bilinear; a free choice
+    const double peak = std::abs(peak_force(w.reading));
+    if (!w.reading.stiffness || !(peak > 0.0)) return;
+    bool right = false, left = false; // have a point
+    for (std::size_t i = 0; i < w.force.size() && !(right && left); ++i) {
+        const double u = w.displacement[i], share = std::abs(w.force[i]) / peak;
+        if (u == 0.0 || std::exchange(u > 0.0 ? right : left, true) || !(share > kMost))
+            continue;
+        remarks.push_back("the force is at " + percent_text(share) +
+                          " of the peak by the first point of the curve, at " +
+                          never_rounded_away(1e3 * std::abs(u), 2) +
+                          " mm: the wall is stiffer than the stiffness read, and yields "
+                          "earlier; write a smaller output.record_every");
+        return;
+    }
+}
+
 /// A wall that is drawn, has openings, or is bonded by mortar, has no closed form here: its
 /// loads alone.
 HandChecks loads_alone(const dem::Elastic& stone, const dem::Beam& beam, const PushedWall& w,
@@ -264,6 +286,7 @@ HandChecks hand_checks(const Study& study, const dem::Layout& layout, const Push
     add_wide_fall(study.fragility, w, h.remarks);
     add_few_points(study.solver, w, h.remarks);
     add_coarse_peak(w, h.remarks);
+    add_coarse_begin(w, h.remarks);
     add_slid_off(study.solver, w, h.remarks);
     add_sliding_beam(study.beam, w, h.remarks);
     add_toe_stress(study.parameters, h, h.remarks);

@@ -2,6 +2,7 @@
 
 #include "app/text/config_error.hpp"
 #include "app/text/csv.hpp"
+#include "app/text/measured_table.hpp"
 #include "app/text/text_file.hpp"
 
 #include <array>
@@ -10,6 +11,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace app {
 namespace {
@@ -20,40 +22,55 @@ struct MeasuredUnit {
 };
 constexpr std::array kLengths = {MeasuredUnit{"mm", 1e-3}, MeasuredUnit{"cm", 1e-2},
                                  MeasuredUnit{"m", 1.0}};
-constexpr std::array kForces = {MeasuredUnit{"kN", 1e3}, MeasuredUnit{"N", 1.0},
-                                MeasuredUnit{"MN", 1e6}};
+constexpr std::array kForces = {MeasuredUnit{"kn", 1e3}, MeasuredUnit{"n", 1.0},
+                                MeasuredUnit{"mn", 1e6}};
 
 struct MeasuredColumn {
     std::size_t index = 0;
     double si = 1.0;
 };
 
-bool is_head(std::string_view head, std::string_view quantity, std::string_view unit)
+std::string heads_in(const Csv& csv, std::span<const MeasuredColumn> columns)
 {
-    const std::string q(quantity), u(unit);
-    return head == q + "_" + u || head == q + " [" + u + "]" || head == q + " (" + u + ")";
+    std::string heads;
+    for (const MeasuredColumn& c : columns)
+        heads += (heads.empty() ? "\"" : ", \"") + csv.head[c.index] + "\"";
+    return heads;
 }
 
-/// The column of a quantity in one of these units, the first of which is looked for first.
-MeasuredColumn measured_column(const Csv& csv, std::string_view quantity,
-                               std::span<const MeasuredUnit> units)
+[[noreturn]] void refuse(const Csv& csv, int line, std::string_view quantity,
+                         const std::string& units, std::span<const MeasuredColumn> found)
 {
-    std::string names, heads;
-    for (const MeasuredUnit& unit : units) {
-        for (std::size_t i = 0; i < csv.head.size(); ++i)
-            if (is_head(csv.head[i], quantity, unit.name)) return {i, unit.si};
-        names += (names.empty()                    ? ""
-                  : unit.name == units.back().name ? " or "
-                                                   : ", ") +
-                 std::string(unit.name);
+    std::vector<MeasuredColumn> all(csv.head.size());
+    bool drift = false;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        all[i].index = i;
+        drift = drift || unit_of(csv.head[i]) == "%";
     }
-    for (const std::string& head : csv.head)
-        heads += (heads.empty() ? "\"" : ", \"") + head + "\"";
-    throw ConfigError(csv.path, 1, "",
-                      "has no column of the " + std::string(quantity) + " in " + names +
-                          " among " + heads +
-                          "; name it as in \"displacement_mm,force_kN\" or \"displacement "
-                          "[m],force [N]\"");
+    const std::string in_units = std::string(quantity) + " in " + units + " among ";
+    throw ConfigError(
+        csv.path, line, "",
+        (found.empty() ? "has no column of the " + in_units + heads_in(csv, all)
+                       : "several columns may be the " + in_units + heads_in(csv, found)) +
+            "; name it as in \"displacement_mm,force_kN\" or \"displacement [m],force [N]\"" +
+            (drift ? ", a drift in % times the height of the force" : "") +
+            (all.size() == 1 ? ", between commas, semicolons or tabs" : ""));
+}
+
+/// The column that is called as the quantity, in the first unit that there is, or else the only
+/// one in its units.
+MeasuredColumn measured_column(const Csv& csv, int line, std::string_view quantity,
+                               std::span<const MeasuredUnit> units, const std::string& names)
+{
+    std::vector<MeasuredColumn> found;
+    for (const MeasuredUnit& unit : units)
+        for (std::size_t i = 0; i < csv.head.size(); ++i) {
+            if (unit_of(csv.head[i]) != unit.name) continue;
+            found.push_back({i, unit.si});
+            if (quantity_of(csv.head[i]) == quantity) return found.back();
+        }
+    if (found.size() != 1) refuse(csv, line, quantity, names, found);
+    return found.front();
 }
 
 } // namespace
@@ -61,10 +78,13 @@ MeasuredColumn measured_column(const Csv& csv, std::string_view quantity,
 TestCurve read_test_curve(const std::string& path)
 {
     constexpr std::size_t kMost = std::size_t{64} << 20;
-    const Csv csv = parse_csv(path, read_bytes(path, kMost, "is larger than 64 MiB",
-                                               "give a table with displacement_mm,force_kN"));
-    const MeasuredColumn u = measured_column(csv, "displacement", kLengths),
-                         f = measured_column(csv, "force", kForces);
+    const MeasuredTable table =
+        measured_table(path, read_bytes(path, kMost, "is larger than 64 MiB",
+                                        "give a table with displacement_mm,force_kN"));
+    const Csv& csv = table.csv;
+    const MeasuredColumn u = measured_column(csv, table.line, "displacement", kLengths,
+                                             "mm, cm or m"),
+                         f = measured_column(csv, table.line, "force", kForces, "kN, N or MN");
     TestCurve curve;
     curve.name = std::filesystem::path(path).stem().string();
     for (const CsvRow& row : csv.rows) {
@@ -72,7 +92,7 @@ TestCurve read_test_curve(const std::string& path)
         curve.force.push_back(signed_number_at(csv, row, f.index) * f.si);
     }
     if (curve.force.size() < 2)
-        throw ConfigError(path, 1, "", "has fewer than two points; a curve needs two");
+        throw ConfigError(path, table.line, "", "has fewer than two points; a curve needs two");
     return curve;
 }
 

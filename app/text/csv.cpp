@@ -84,6 +84,7 @@ class Splitter {
 
 char separator_of(std::string_view text)
 {
+    text.remove_prefix(std::min(text.size(), text.find_first_not_of("\r\n")));
     const std::string_view head = text.substr(0, text.find('\n'));
     char best = ',';
     std::ptrdiff_t most = 0;
@@ -100,6 +101,17 @@ char separator_of(std::string_view text)
         }
     }
     return best;
+}
+
+/// Loggers end each line with a separator.
+void drop_empty_last_column(std::vector<CsvRow>& rows)
+{
+    const std::size_t columns = rows.front().cells.size();
+    const auto ends_empty = [&](const CsvRow& row) {
+        return row.cells.size() == columns && trimmed(row.cells.back()).empty();
+    };
+    if (columns > 1 && std::ranges::all_of(rows, ends_empty))
+        for (CsvRow& row : rows) row.cells.pop_back();
 }
 
 void check_head(const std::string& path, const CsvRow& head)
@@ -148,7 +160,8 @@ double signed_number_at(const Csv& csv, const CsvRow& row, std::size_t column)
     const char* first = text.data() + (text.front() == '+' ? 1 : 0);
     const char* const last = text.data() + text.size();
     const auto [end, error] = std::from_chars(first, last, value);
-    if (error != std::errc() || end != last) refuse(in_quotes(text) + " is not a number");
+    if (error != std::errc() || end != last)
+        refuse(in_quotes(trimmed(row.cells[column])) + " is not a number");
     if (!std::isfinite(value)) refuse(in_quotes(text) + " is not a finite number");
     return value;
 }
@@ -179,6 +192,7 @@ Csv parse_csv(const std::string& path, std::string_view text)
     csv.rows = Splitter(path, text, csv.separator, first_line).records();
     if (csv.rows.empty()) throw ConfigError(path, 0, "", "no head; name the columns in line 1");
     for (std::string& name : csv.rows.front().cells) name = std::string(trimmed(name));
+    drop_empty_last_column(csv.rows);
     check_head(path, csv.rows.front());
     csv.head = csv.rows.front().cells;
     csv.rows.erase(csv.rows.begin());

@@ -21,7 +21,8 @@ struct Csv {
 };
 
 /// Cells may be in double quotes, with "" for a quote and line breaks inside. Lines end in LF
-/// or CRLF; rows of empty cells and a byte order mark are passed over. The separator is the one
+/// or CRLF; rows of empty cells, a last column of empty cells and a byte order mark are passed
+/// over. The separator is the one
 /// that a first line "sep=;" names, or the most frequent of comma, semicolon and tab in the
 /// head.
 /// @throws ConfigError naming the line: no head, columns without or with equal names, too few

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <map>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -56,6 +58,46 @@ std::map<Side, int> pieces_of(const RawDrawing& drawing, const std::vector<dem::
                    millimetres(snap * drawing.frame.unit) + ") larger than that");
     }
     return pieces;
+}
+
+/// Where two lines cross, far from all four ends; nothing where they do not.
+std::optional<dem::Point> crossing_of(const RawLine& one, const RawLine& other, double far)
+{
+    const dem::Point p = one.from, q = other.from, a{one.to.x - p.x, one.to.z - p.z},
+                     b{other.to.x - q.x, other.to.z - q.z};
+    const double turn = a.x * b.z - a.z * b.x;
+    if (turn == 0.0) return {};
+    const double along = ((q.x - p.x) * b.z - (q.z - p.z) * b.x) / turn,
+                 across = ((q.x - p.x) * a.z - (q.z - p.z) * a.x) / turn;
+    if (!(along > 0.0 && along < 1.0 && across > 0.0 && across < 1.0)) return {};
+    const dem::Point at{p.x + along * a.x, p.z + along * a.z};
+    for (const dem::Point end : {one.from, one.to, other.from, other.to})
+        if (distance(at, end) <= far) return {};
+    return at;
+}
+
+/// Lines drawn through others, as the joints of a stack bond, are cut where they cross. A
+/// crossing near an end is a slip of the hand and stays.
+void cut_crossing_lines(RawDrawing& drawing, double snap)
+{
+    constexpr double kFar = 20.0;        // times snap: a free choice, less than a stone
+    constexpr std::size_t kMost = 5'000; // lines, of which each is compared with each
+    const std::vector<RawLine> lines = drawing.lines;
+    if (lines.size() > kMost) return;
+    drawing.lines.clear();
+    std::size_t crossings = 0;
+    for (const RawLine& line : lines) {
+        std::vector<dem::Point> cuts{line.from, line.to};
+        for (const RawLine& other : lines)
+            if (const auto at = crossing_of(line, other, kFar * snap)) cuts.push_back(*at);
+        crossings += cuts.size() - 2;
+        std::ranges::sort(cuts, {}, [&](dem::Point p) { return distance(p, line.from); });
+        for (std::size_t i = 1; i < cuts.size(); ++i)
+            add_line(drawing, {cuts[i - 1], cuts[i], line.layer, line.line});
+    }
+    if (crossings > 0)
+        drawing.notes.push_back(counted(crossings / 2, "crossing", "crossings") +
+                                " of lines: each of both was cut there.");
 }
 
 LineNetwork connected(const RawDrawing& drawing, double snap)
@@ -199,6 +241,7 @@ void add_line_faces(RawDrawing& drawing, double snap)
     if (drawing.lines.empty()) return;
     Enclosed enclosed;
     const double tolerance = snap / drawing.frame.unit;
+    cut_crossing_lines(drawing, tolerance);
     try {
         const LineNetwork network = connected(drawing, tolerance);
         refuse_loose_ends(drawing, network, tolerance);

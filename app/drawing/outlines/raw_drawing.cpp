@@ -109,6 +109,8 @@ void add_outline(RawDrawing& drawing, RawOutline outline, bool closed, double sn
     }
     const dem::Point first = corners.front(), last = corners.back();
     const double gap = distance(first, last) * frame.unit;
+    if (!closed && corners.size() == 2)
+        return add_line(drawing, {first, last, outline.layer, outline.line});
     if (!closed && (gap > snap || corners.size() < 3)) {
         const bool can_be_closed = corners.size() >= kLeastCorners;
         if (!can_be_closed || !frame.close_outlines)

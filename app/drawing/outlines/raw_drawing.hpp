@@ -92,7 +92,7 @@ void state_unit(RawDrawing& drawing, double unit, std::string_view name);
 
 /// Adds a chain of corners that is a closed outline: `closed`, or its ends coincide within
 /// `snap`, or it runs on over its own first sides once it is back at its first corner. An open
-/// one of four corners or more is closed if the frame says so.
+/// one of four corners or more is closed if the frame says so; one of two is a line.
 /// @param snap [m]
 /// @throws ConfigError if it is open, or a coordinate is no finite number
 void add_outline(RawDrawing& drawing, RawOutline outline, bool closed, double snap);

@@ -207,6 +207,17 @@ std::vector<std::string_view> unit_words(std::string_view text)
     return found;
 }
 
+/// A small number in place of an angle may be the coefficient of friction.
+std::string or_its_angle(const std::vector<Parts>& parts, std::string_view unit)
+{
+    constexpr double kMostCoefficient = 2.0, kDegrees = 180.0 / std::numbers::pi;
+    if (unit != "deg" || parts.size() != 1) return "";
+    const double x = parts.front().number;
+    if (!(x > 0.0 && x <= kMostCoefficient)) return "";
+    return ", or \"" + number(std::atan(x) * kDegrees, 4) +
+           " deg\" where it is the coefficient of friction";
+}
+
 } // namespace
 
 std::vector<double> parse_quantities(std::string_view text, std::string_view unit)
@@ -222,7 +233,8 @@ std::vector<double> parse_quantities(std::string_view text, std::string_view uni
     if (!unit.empty() && std::ranges::any_of(parts, is_bare)) {
         throw BadValue(is_bare(parts.back()) && is_bare(parts.front())
                            ? "missing unit; write " +
-                                 example(text, likely_unit(parts.back().number, expected))
+                                 example(text, likely_unit(parts.back().number, expected)) +
+                                 or_its_angle(parts, unit)
                            : "missing unit in " + in_quotes(text) +
                                  "; write it once at the end, or on each value");
     }

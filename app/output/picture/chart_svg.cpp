@@ -5,6 +5,8 @@
 #include "app/output/picture/svg_elements.hpp"
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <stdexcept>
 #include <vector>
 
@@ -14,6 +16,16 @@ namespace {
 
 constexpr const char* kReferenceStyle =
     "stroke=\"#777\" stroke-width=\"1.1\" stroke-dasharray=\"5 3\"";
+
+/// A sensor writes thousands of values in a second: of so many points a line shows only one in
+/// each pixel.
+constexpr std::size_t kDense = 10'000; // points of a line
+
+bool adds_nothing(const Series& s, const std::vector<Pixel>& run, Pixel at)
+{
+    return s.x.size() > kDense && !run.empty() &&
+           std::hypot(at.x - run.back().x, at.y - run.back().y) < 1.0;
+}
 
 std::string draw_series(const Series& s, const std::string& colour, const ChartFrame& f)
 {
@@ -32,7 +44,7 @@ std::string draw_series(const Series& s, const std::string& colour, const ChartF
         }
         const Pixel at = f.place(s.x[i], s.y[i]);
         if (s.points) drawn += svg_dot(at, 3.2, svg_attribute("fill", colour));
-        if (s.line != LineStyle::none) run.push_back(at);
+        if (s.line != LineStyle::none && !adds_nothing(s, run, at)) run.push_back(at);
     }
     flush();
     return drawn;

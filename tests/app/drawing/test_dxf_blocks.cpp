@@ -257,8 +257,8 @@ TEST_CASE("dxf blocks: what cannot be expanded is refused with its line, block a
     CHECK_THAT(why("0\nBLOCK\n2\nx\n" + kStone, insert("x", "2", "3")),
                Catch::StartsWith("w.dxf:6: the block \"x\" has no end"));
     // what its block draws is refused where it is drawn, with its place in the drawing
-    CHECK_THAT(why(block("x", "0\nARC\n10\n2\n20\n3\n40\n1\n"), insert("x", "10", "20")),
-               Catch::StartsWith("w.dxf:18: at (12, 23) there is an arc") &&
+    CHECK_THAT(why(block("x", "0\nCIRCLE\n10\n2\n20\n3\n40\n1\n"), insert("x", "10", "20")),
+               Catch::StartsWith("w.dxf:18: at (12, 23) there is a circle") &&
                    Catch::EndsWith(" (in the block \"x\", which line 36 inserts)"));
     // what does not fit together is named by the insertion
     CHECK_THAT(why(block("x", kStone), insert("x", "0", "0") + insert("x", "0", "0")),
@@ -292,4 +292,15 @@ TEST_CASE("dxf blocks: a file that would draw without end is refused at once",
                Catch::Contains("draw more than a wall can have"));
     CHECK_THAT(why(block("s", kStone), insert("s", "0", "0", "70\n999999999\n44\n2\n")),
                Catch::Contains("has more than 20000 blocks"));
+}
+
+TEST_CASE("dxf blocks: a border with joints drawn as polylines is inserted whole",
+          "[app][dxf_blocks]")
+{
+    const app::Drawing wall =
+        wall_of(block("x", lwpolyline({0, 1, 4, 1}, false) + lwpolyline({2, 0, 2, 1}, false) +
+                               lwpolyline(rectangle(0, 0, 4, 2))),
+                insert("x", "10", "20"));
+    CHECK(wall.blocks.size() == 3);
+    CHECK(area(wall) == 8.0);
 }

@@ -158,3 +158,34 @@ TEST_CASE("svg page: a file without a unit of length says what it was read in",
     }
     CHECK_FALSE(scenes::notes(of("width='1m' viewBox='0 0 1000 500'", false), "no unit"));
 }
+
+TEST_CASE("svg page: a rectangle around all stones is the page or its frame, and no stone",
+          "[app][svg_page]")
+{
+    const std::string stones = kStone + kOther + "/>";
+    for (const std::string& body :
+         {"<rect width='2' height='2' fill='#fff'/>" + stones,
+          stones + "<rect x='-1' y='-1' width='4' height='4' fill='none' stroke='#000'/>",
+          "<path d='M-1 -1H3V3H-1Z'/><path d='M-2 -2H4V4H-2Z'/>" + stones}) {
+        INFO(body);
+        const app::Drawing drawing = wall(body);
+        CHECK(drawing.blocks.size() == 2);
+        CHECK(area(drawing) == Approx(4.0));
+        CHECK(scenes::notes(drawing, "The outline of line 1 goes around all stones"));
+    }
+    const std::string joints = "<path d='M0 1H2' stroke='#000'/><path d='M1 1V2'/>";
+    CHECK(wall("<rect width='2' height='2'/>" + joints).blocks.size() == 3);
+    CHECK(scenes::notes(wall("<rect width='100%' height='100%'/>" + stones), "1 page"));
+    // two windows in a facade, one stone in another, and a frame that is none
+    CHECK_THAT(refusal("w.svg",
+                       page("<path d='M0 0H9V9H0Z'/><path d='M1 1H2V2H1Z'/><path "
+                            "d='M4 1H5V2H4Z'/>"),
+                       {.unit = 1.0}),
+               Catch::Contains("lies within the block"));
+    CHECK_THAT(refusal("w.svg",
+                       page("<path d='M0 0H3V3H0Z'/>" + stones +
+                            "<rect x='5' "
+                            "width='1' height='1'/>"),
+                       {.unit = 1.0}),
+               Catch::Contains("overlaps"));
+}

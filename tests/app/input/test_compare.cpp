@@ -1,5 +1,6 @@
 #include "app/compare/compare_command.hpp"
 #include "app/compare/compared.hpp"
+#include "app/compare/compared_cycles.hpp"
 #include "app/compare/compared_limits.hpp"
 #include "app/push/test_curve.hpp"
 #include "app/text/config_error.hpp"
@@ -8,6 +9,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -75,6 +78,93 @@ TEST_CASE("compare: paths to and fro have their work, and noise is none", "[app]
     CHECK(app::compared_table({all[1]}).head.size() + 1 == t.head.size());
 }
 
+TEST_CASE("compare: a sensor that jitters, and comes home, has the peak of its way out",
+          "[app][compare]")
+{
+    const scenes::TemporaryFolder folder;
+    // 20 kN from 1 mm on; jitter of 0.02 mm to the other side; unloaded at the end
+    std::string way = "displacement_mm,force_kN\n-0.02,0\n0.01,0.2\n-0.01,-0.1\n1,20\n0.99,20\n"
+                      "10,20\n9.5,0\n-0.1,0\n";
+    const auto right = app::read_compared(file_of(folder.path / "right.txt", way));
+    CHECK(right.front().peak == Approx(20e3));
+    CHECK(right.front().note.empty());
+    std::string left;
+    for (const char* const row : {"0.02,0", "-0.01,-0.2", "0.01,0.1", "-1,-20", "-0.99,-20",
+                                  "-10,-20", "-9.5,0", "0.1,0"})
+        left += std::string(row) + "\n";
+    left = "displacement_mm,force_kN\n" + left;
+    CHECK(app::read_compared(file_of(folder.path / "left.CSV", left)).front().peak ==
+          Approx(20e3));
+}
+
+TEST_CASE("compare: forces of a reaction are turned round, and a begin off zero is told",
+          "[app][compare]")
+{
+    const scenes::TemporaryFolder folder;
+    const std::string head = "displacement_mm,force_kN\n",
+                      loop = "0,0\n2,-10\n2,10\n-2,10\n-2,-10\n0,-10\n";
+    auto c = app::read_compared(file_of(folder.path / "reaction.csv", head + loop)).front();
+    CHECK(c.peak == Approx(10e3));
+    CHECK(c.force[1] == 10e3);
+    CHECK(c.note.find("against its displacements") != std::string::npos);
+    c = app::read_compared(file_of(folder.path / "off.csv", head + "3,1\n5,11\n")).front();
+    CHECK(c.note.find("begins at 3.00 mm and 1.00 kN") != std::string::npos);
+    c = app::read_compared(file_of(folder.path / "at.csv", head + "0.01,0.1\n5,11\n")).front();
+    CHECK(c.note.empty());
+}
+
+TEST_CASE("compare: cycles of a measured loop have the work and damping of their closed form, "
+          "with a sensor that jitters too",
+          "[app][compare]")
+{
+    // Slides at 20 kN, 40 kN/mm before: 4 F (a - F/k) in each cycle but the first.
+    app::Compared c;
+    for (const double jitter : {0.0, 0.02e-3}) {
+        c = {};
+        double u = 0.0, f = 0.0, sign = 1.0;
+        const auto go = [&](double to) {
+            const double step = to > u ? 0.01e-3 : -0.01e-3;
+            while (u != to) {
+                const double next = std::abs(to - u) < 1.5 * std::abs(step) ? to : u + step;
+                f = std::clamp(f + 40e6 * (next - u), -20e3, 20e3);
+                u = next;
+                sign = -sign;
+                c.displacement.push_back(u + sign * jitter);
+                c.force.push_back(f);
+            }
+        };
+        for (const double a : {2e-3, 4e-3})
+            for (const double to : {a, -a, a, -a}) go(to);
+        go(0.0);
+        const auto cycles = app::compared_cycles(c);
+        REQUIRE(cycles.size() == 4);
+        CHECK(cycles[1].energy == Approx(120.0).epsilon(0.01));
+        CHECK(cycles[3].energy == Approx(280.0).epsilon(0.01));
+        CHECK(fragility::equivalent_damping(cycles[3]).value() ==
+              Approx(2.0 / 3.14159265 * 3.5 / 4.0).epsilon(0.02));
+        CHECK(app::targets_along(c).empty()); // only of measured paths
+        c.measured = true;
+        const std::string targets = app::targets_along(c);
+        CHECK(std::ranges::count(targets, ',') == 8);
+        if (jitter == 0.0) CHECK(targets == "load.targets = 2, -2, 2, -2, 4, -4, 4, -4, 0 mm");
+    }
+    CHECK(app::compared_cycle_table({c}).rows.size() == 4);
+    c.displacement.resize(100), c.force.resize(100); // one way
+    CHECK(app::compared_cycle_table({c}).rows.empty());
+}
+
+TEST_CASE("compare: a measured loop whose first amplitude is beyond yield has the stiffness of "
+          "the side loaded first",
+          "[app][compare]")
+{
+    const scenes::TemporaryFolder folder;
+    const std::string loop =
+        "displacement_mm,force_kN\n0,0\n0.5,20\n4,20\n3,-20\n-4,-20\n-3,20\n"
+        "4,20\n3.5,0\n0,0\n";
+    const auto all = app::read_compared(file_of(folder.path / "loop.csv", loop));
+    CHECK(value(all.front().cells[4]) == Approx(40.0));
+}
+
 TEST_CASE("compare: folders of fragility are laid side by side by their limit drifts",
           "[app][compare]")
 {
@@ -131,7 +221,7 @@ TEST_CASE("compare: what cannot be compared is refused with its place", "[app][c
     const scenes::TemporaryFolder folder;
     const auto path = [&](const char* name) { return (folder.path / name).string(); };
     CHECK(refusal(path("a.txt")).find("there is no such file or folder") != std::string::npos);
-    CHECK(refusal(file_of(folder.path / "a.txt", "x")).find("cannot be compared") !=
+    CHECK(refusal(file_of(folder.path / "a.doc", "x")).find("cannot be compared") !=
           std::string::npos);
     CHECK(refusal(file_of(path("b.csv"), "u,f\n1,2\n")) ==
           path("b.csv") +

@@ -82,6 +82,10 @@ TEST_CASE("units: the unit of a list stands once at its end, or on each value", 
     CHECK(complaint("1 MPa, 2 MPa, 3", "MPa") == "missing unit in \"1 MPa, 2 MPa, 3\"" + some);
     CHECK(complaint("1, 2, 3", "MPa") == "missing unit; write \"1, 2, 3 MPa\"");
     CHECK(complaint("49", "m") == "missing unit; write \"49 m\"");
+    CHECK(complaint("31", "deg") == "missing unit; write \"31 deg\"");
+    CHECK(complaint("0.6", "deg") ==
+          "missing unit; write \"0.6 deg\", or \"30.96 deg\" where it is the coefficient of "
+          "friction");
     CHECK(complaint("0.1, 200", "m") == "missing unit; write \"0.1, 200 mm\"");
     CHECK(complaint("1, 2,", "") ==
           "empty place in the list \"1, 2,\"; write a number between two commas");

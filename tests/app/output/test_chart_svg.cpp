@@ -209,6 +209,20 @@ TEST_CASE("chart: nothing to show is an empty frame without a NaN", "[app][chart
     CHECK(text.find("inf") == std::string::npos);
 }
 
+TEST_CASE("chart: a line of very many points shows one in each pixel", "[app][chart_svg]")
+{
+    const auto size = [](int points) {
+        Series s;
+        for (int i = 0; i < points; ++i) {
+            s.x.push_back(std::sin(1e-3 * i));
+            s.y.push_back(std::cos(1e-3 * i));
+        }
+        return line_chart(Chart{.series = {s}}).size();
+    };
+    CHECK(size(10'000) > 100'000);
+    CHECK(size(20'000) < size(10'000));
+}
+
 TEST_CASE("chart: unequal lengths and a tiny page are refused", "[app][chart_svg]")
 {
     CHECK_THROWS_AS(line_chart(Chart{.series = {{.x = {1.0}}}}), std::invalid_argument);

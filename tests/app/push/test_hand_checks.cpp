@@ -203,3 +203,25 @@ TEST_CASE("hand checks: a push by body forces has its load factor, one by the be
     wall.reading.peak.reset();
     CHECK(remarks(wall).find("load factor") == std::string::npos);
 }
+
+TEST_CASE(
+    "hand checks: a wall that yields before the first point of a side is said to be stiffer",
+    "[app][hand_checks]")
+{
+    app::PushedWall wall = pushed(1e3);
+    wall.reading.stiffness = 1e5;
+    CHECK_THAT(remarks(wall), !Catch::Contains("stiffer"));
+    wall.force = {0.0, 890.0, 1e3};
+    CHECK_THAT(remarks(wall),
+               Catch::Contains("is at 89 % of the peak by the first point of the "
+                               "curve, at 10.00 mm: the wall is stiffer"));
+    wall.reading.stiffness.reset(); // nothing is read
+    CHECK_THAT(remarks(wall), !Catch::Contains("stiffer"));
+    // to and fro: the second side, but no later cycle
+    wall.reading.stiffness = 1e5;
+    wall.displacement = {0.0, 0.01, 0.02, -0.01, -0.02, 0.01};
+    wall.force = {0.0, 500.0, 1e3, -600.0, -1e3, 900.0};
+    CHECK_THAT(remarks(wall), !Catch::Contains("stiffer"));
+    wall.force[3] = -800.0;
+    CHECK_THAT(remarks(wall), Catch::Contains("at 80 % of the peak"));
+}
