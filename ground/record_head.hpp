@@ -16,8 +16,8 @@ namespace ground {
 /// Whether a line names columns, the first of them a time.
 [[nodiscard]] bool names_columns(std::string_view line);
 
-/// The unit of acceleration that the first lines state: the last one of the names of columns, or
-/// else of any line. A lone G there is a letter, of a station or a component. Empty: none.
+/// The unit of acceleration that the first lines state: the last one of the names of columns,
+/// or else of any line. A lone G there is a letter, of a station or a component. Empty: none.
 [[nodiscard]] std::string unit_above(const RecordText& text, std::size_t lines);
 
 /// Refuses values that would be read in g because no unit is written, and are too large for it.
