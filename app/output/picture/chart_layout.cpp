@@ -105,7 +105,7 @@ void place_legend(std::vector<LegendEntry>& entries, double page_width, Pixel fi
     }
 }
 
-/// Texts in a row at the top. @return false: one would run over another line, or leave the frame
+/// Texts in a row at the top. @return false: one runs over another line, or leaves the frame
 bool place_texts(const std::vector<ReferenceLine>& lines, ChartFrame& f)
 {
     double last = f.left; // right end of what stands already [px]
