@@ -17,7 +17,7 @@ push picture picture
 cp -- "$work/picture/wall.svg" "$to/rubble.svg"
 push facade facade
 cp -- "$work/facade/wall.svg" "$to/facade.svg"
-push wall cycles --set load.amplitudes="3, 6, 10, 15 mm"
+push wall cycles --set load.amplitudes="1, 5, 10 mm"
 cp -- "$work/cycles/capacity.svg" "$to/cycles.svg"
 "${DRYSTONE_PROGRAM:-./drystone}" study configs/quick.ini --out "$work/quick.h5" --quiet >/dev/null
 "${DRYSTONE_PROGRAM:-./drystone}" fragility "$work/quick.h5" --out "$work/quick" --quiet >/dev/null

@@ -1,12 +1,13 @@
+#include "ground/record_head.hpp"
 #include "ground/record_text.hpp"
 
 namespace ground {
 namespace {
 
-/// "UNITS OF G", "The units are (g)"; empty if no line of the head says it.
+/// "UNITS OF G", "The units are (g)", or a unit alone; empty if no line of the head says it.
 std::string unit_in_head(const RecordText& text, std::size_t head)
 {
-    for (std::size_t i = 0; i < head; ++i) {
+    for (std::size_t i = 0; i <= head; ++i) {
         const std::string low = lower(text.lines[i].substr(0, 400));
         for (const std::string_view key : {"units of", "units are", "units:", "units ="}) {
             const std::size_t at = low.find(key);
@@ -16,7 +17,7 @@ std::string unit_in_head(const RecordText& text, std::size_t head)
             return unit.substr(0, unit.find_first_of(" ,;\t"));
         }
     }
-    return {};
+    return unit_above(text, head + 1);
 }
 
 /// The old head: "4000  0.00500  NPTS, DT".
@@ -47,6 +48,7 @@ std::vector<Record> at2_records(const RecordText& text, const ReadOptions& optio
             refuse(text, i,
                    "more than the " + std::to_string(count) + " values that line " +
                        std::to_string(head + 1) + " states; mend NPTS there");
+    if (unit.empty() && options.unit.empty()) check_unsaid(text, head, read.values);
     Record r = record_of(text, options, "PEER AT2", unit.empty() ? "g" : unit, head + 1, step,
                          std::move(read.values));
     if (unit.empty() && options.unit.empty())

@@ -1,39 +1,12 @@
+#include "ground/record_head.hpp"
 #include "ground/record_text.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace ground {
 namespace {
-
-/// Words of a line, without brackets and separators.
-std::vector<std::string> words_of(std::string_view text)
-{
-    std::string line(text.substr(0, 400));
-    std::ranges::replace_if(
-        line,
-        [](char c) {
-            return std::string_view("[](),;:=#%\t\"").find(c) != std::string_view::npos;
-        },
-        ' ');
-    std::vector<std::string> words;
-    std::string_view rest = line;
-    while (!(rest = stripped(rest)).empty()) {
-        words.emplace_back(rest.substr(0, rest.find(' ')));
-        rest.remove_prefix(words.back().size());
-    }
-    return words;
-}
-
-/// The last word of the lines above the numbers that is a unit of acceleration.
-std::string unit_above(const RecordText& text, std::size_t first)
-{
-    std::string unit;
-    for (std::size_t i = 0; i < first; ++i)
-        for (std::string& word : words_of(text.lines[i]))
-            if (acceleration_unit(word) > 0.0) unit = std::move(word);
-    return unit;
-}
 
 /// The text in the last brackets of a line: the unit of its last column. Empty if it has none.
 std::string_view last_in_brackets(std::string_view line)
@@ -43,6 +16,43 @@ std::string_view last_in_brackets(std::string_view line)
     const std::size_t begin = line.find_last_of("[(", end);
     if (begin == std::string_view::npos) return {};
     return stripped(line.substr(begin + 1, end - begin - 1));
+}
+
+/// The unit of the first column: ms of "time [ms]", "Zeit (ms)" or "time_ms".
+std::string first_unit(std::string_view names)
+{
+    const std::vector<std::string> words = words_of(names);
+    if (words.empty()) return {};
+    const std::string& name = words.front();
+    if (const std::size_t at = name.find('_'); at != std::string::npos)
+        return name.substr(at + 1);
+    return words.size() > 1 ? words[1] : std::string();
+}
+
+/// Whether a row has two numbers once its commas are points.
+bool decimal_commas(std::string_view row)
+{
+    std::string points(row);
+    std::ranges::replace(points, ',', '.');
+    return points != row && fields(points, 0).size() == 2 && all_numbers(points);
+}
+
+/// Refuses a row that has not two numbers.
+void check_row(const RecordText& text, std::size_t line)
+{
+    const std::string_view row = text.lines[line];
+    const auto cells = fields(row, 0);
+    if (cells.size() != 2 && decimal_commas(row))
+        refuse(text, line, "decimal commas; write points, as in \"0.005; 1.23\"");
+    if (cells.size() != 2)
+        refuse(text, line,
+               std::to_string(cells.size()) + (cells.size() == 1 ? " value" : " values") +
+                   " in place of two; mend the row");
+    for (const std::string_view cell : cells)
+        if (!number_of(cell))
+            refuse(text, line,
+                   in_quotes(cell) +
+                       " is no finite number; fill the gap, or cut the record there");
 }
 
 bool is_unit_of_time(std::string_view text)
@@ -59,18 +69,18 @@ void check_names(const RecordText& text, std::size_t first, const std::string& u
     while (head > 0 && stripped(text.lines[head - 1]).empty()) --head;
     if (head-- == 0) return;
     const std::string names = lower(text.lines[head]);
-    const std::vector<std::string> words = words_of(names);
-    if (words.empty() || !(words.front().starts_with("time") || words.front() == "t"))
-        return; // a title, which may say anything
+    const bool columns = names_columns(names);
     const auto have = [&](std::string_view word) {
         return names.find(word) != std::string::npos;
     };
+    for (const std::string word : {"ms", "msec", "milliseconds", "min"})
+        if ((columns && first_unit(names) == word) || have('[' + word + ']') ||
+            have('(' + word + ')'))
+            refuse(text, head, "the times are in " + word + "; convert them to s");
+    if (!columns) return; // a title, which may say anything
     if (unit.empty() && (have("velocity") || have("displacement")) && !have("acc"))
         refuse(text, head,
                "the values are no acceleration; give the record of the accelerations");
-    for (const std::string_view word : {"ms", "msec", "milliseconds", "min"})
-        if (words.size() > 1 && words[1] == word)
-            refuse(text, head, "the times are in " + words[1] + "; convert them to s");
     const std::string_view last = last_in_brackets(text.lines[head]);
     if (unit.empty() && !last.empty() && !is_unit_of_time(last))
         refuse(text, head,
@@ -100,11 +110,7 @@ std::vector<Record> column_records(const RecordText& text, const ReadOptions& op
                "one column and no time step; write two columns, time [s] and acceleration, or "
                "put a line such as "
                "\"NPTS= 4000, DT= .005 SEC\" above");
-    const std::string_view row = text.lines[first];
-    if (columns != 2 && row.find(';') != std::string_view::npos &&
-        row.find(',') != std::string_view::npos)
-        refuse(text, first, "decimal commas; write points, as in \"0.005; 1.23\"");
-    if (columns != 2)
+    if (columns != 2 && !decimal_commas(text.lines[first]))
         refuse(text, first,
                std::to_string(columns) +
                    " columns, where time [s] and one acceleration are wanted; keep two, or, "
@@ -115,31 +121,24 @@ std::vector<Record> column_records(const RecordText& text, const ReadOptions& op
     int decimals = 0;
     for (std::size_t i = first; i < text.lines.size(); ++i) {
         if (stripped(text.lines[i]).empty()) continue;
+        check_row(text, i);
         const auto cells = fields(text.lines[i], 0);
-        if (cells.size() != 2)
-            refuse(text, i,
-                   std::to_string(cells.size()) + " values in place of two; mend the row");
-        for (const std::string_view cell : cells)
-            if (!number_of(cell))
-                refuse(text, i,
-                       in_quotes(cell) +
-                           " is no finite number; fill the gap, or cut the record there");
         time.push_back(*number_of(cells[0]));
         values.push_back(*number_of(cells[1]));
         line.push_back(i);
         decimals = std::max(decimals, decimals_of(cells[0]));
     }
+    const auto grows = [](const std::vector<double>& x) {
+        return std::ranges::adjacent_find(x, std::greater_equal()) == x.end();
+    };
+    if (grows(values) && !grows(time))
+        refuse(text, first,
+               "the second column grows as a time does, and the first does not; write time [s] "
+               "first, then the acceleration");
     const std::string unit = unit_above(text, first);
     check_names(text, first, unit.empty() ? options.unit : unit);
     const double step = checked_step(text, first, common_step(text, time, line, decimals));
-    double peak = 0.0;
-    for (const double a : values) peak = std::max(peak, std::abs(a));
-    constexpr double kMostUnsaid = 4.0; // [g] hardly any record has more
-    if (unit.empty() && options.unit.empty() && peak > kMostUnsaid)
-        refuse(text, first,
-               "no unit is written, and the values are too large for g; write it above the "
-               "columns, such as "
-               "\"time [s], acceleration [cm/s2]\", or give --acceleration-unit");
+    if (unit.empty() && options.unit.empty()) check_unsaid(text, first, values);
     Record r = record_of(text, options, "two columns", unit.empty() ? "g" : unit, first, step,
                          std::move(values));
     if (unit.empty() && options.unit.empty())

@@ -83,8 +83,9 @@ RecordText lines_of(const std::string& path, std::string_view text)
 {
     RecordText t{path, {}};
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    const char line_end = text.find('\n') == std::string_view::npos ? '\r' : '\n';
     while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::size_t end = std::min(text.find(line_end), text.size());
         std::string_view line = text.substr(0, end);
         if (line.ends_with('\r')) line.remove_suffix(1);
         t.lines.push_back(line);
@@ -142,7 +143,7 @@ std::vector<std::string_view> fields(std::string_view line, std::size_t width)
             all.push_back(line.substr(0, width));
         return all;
     }
-    const auto divides = [](char c) { return is_blank(c) || c == ',' || c == ';'; };
+    const auto divides = [](char c) { return is_blank(c) || c == ',' || c == ';' || c == '"'; };
     while (!line.empty()) {
         if (divides(line.front())) {
             line.remove_prefix(1);
@@ -222,12 +223,12 @@ std::size_t checked_count(const RecordText& text, std::size_t line, std::optiona
 
 double checked_step(const RecordText& text, std::size_t line, std::optional<double> step)
 {
-    constexpr double kLeast = 1e-5, kMost = 1.0;
+    constexpr double kLeast = 1e-5, kMost = 0.5; // where times are in ms, 1 is no second
     if (!step) refuse(text, line, "no time step; write it as in \"NPTS= 4000, DT= .005 SEC\"");
     if (!(*step >= kLeast && *step <= kMost))
         refuse(text, line,
                "a time step of " + shown(*step) +
-                   " s is out of range; must be in [1e-05, 1] s");
+                   " s is out of range; must be in [1e-05, 0.5] s; convert times in ms to s");
     return *step;
 }
 

@@ -40,7 +40,7 @@ struct RecordText {
                                     std::size_t from = 0, std::size_t many = 100);
 
 /// The texts of the numbers of a line. Of width 0 they are divided by blanks, commas,
-/// semicolons, or by the sign of the next one.
+/// semicolons, quotes, or by the sign of the next one.
 [[nodiscard]] std::vector<std::string_view> fields(std::string_view line, std::size_t width);
 
 /// True if there is at least one field and each is a number, NaN and infinity included.

@@ -199,6 +199,9 @@ std::string help_text(std::span<const Verb> verbs, std::string_view topic)
     std::string text;
     for (const Key& key : keys_named(topic)) text += help_of(verbs, key);
     if (text.empty()) text = found(verbs, topic);
+    if (topic.starts_with("distribution") ||
+        speaks_of(distribution_help(), std::string(topic) + "("))
+        text += (text.empty() ? "" : "\n") + distribution_help();
     if (text.empty()) refuse_topic(verbs, topic);
     return text;
 }

@@ -8,7 +8,7 @@
 namespace app {
 namespace {
 
-std::string percent(double share) { return number(100.0 * share, 2) + " %"; }
+std::string percent(double share) { return number(100.0 * share, 3) + " %"; }
 
 /// Why a push began again between two looks at it; empty where it went on.
 std::string why_again(const dem::PushProgress& before, const dem::PushProgress& now,

@@ -13,6 +13,7 @@
 #include "ground/record_error.hpp"
 #include "ground/stochastic_motion.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <stdexcept>
@@ -85,7 +86,11 @@ std::vector<ground::Measure> measures_of(const Command& command)
 {
     std::vector<ground::Measure> all = usual_measures();
     for (const std::string& text : command.measures) try {
-            all.push_back(ground::parse_measure(text));
+            const ground::Measure measure = ground::parse_measure(text);
+            const auto same = [name = measure_text(measure)](const ground::Measure& m) {
+                return measure_text(m) == name;
+            };
+            if (std::ranges::none_of(all, same)) all.push_back(measure);
         } catch (const std::invalid_argument& bad) {
             throw ConfigError("drystone", 0, "--measure", bad.what());
         }

@@ -19,19 +19,22 @@ Number cell(const std::optional<double>& x)
                                  : plain_number(*x, decimals_for(*x) + 1);
 }
 
-std::string evaluations_text(const uq::ReliabilityAnswer& a)
+std::string evaluations_text(const uq::ReliabilityProblem& p, const uq::ReliabilityAnswer& a)
 {
     const std::string all = std::to_string(a.evaluations) + " evaluations, ";
     if (a.failed.empty()) return all + "none failed.";
     return all + std::to_string(a.failed.size()) +
-           " failed: the bounds assume the worst and the best case of these.";
+           (p.method == uq::ReliabilityMethod::active
+                ? " failed: the bounds assume the worst and the best case of those among the "
+                  "checks, which are few; subset or monte_carlo counts all that fail."
+                : " failed: the bounds assume the worst and the best case of these.");
 }
 
 Table method_table(const uq::ReliabilityProblem& p, const uq::ReliabilityAnswer& a)
 {
     Table t;
     t.title = "P(" + p.words + ")";
-    t.caption = "Intervals are 95 %. " + evaluations_text(a);
+    t.caption = "Intervals are 95 %. " + evaluations_text(p, a);
     t.head = {"method", "probability",     "beta", "standard error", "lower",
               "upper",  {"outcome", kNote}};
     for (const uq::MethodAnswer& m : a.methods) {
@@ -49,8 +52,8 @@ Table quantile_table(const Question& q, const uq::ReliabilityAnswer& a)
 {
     Table t;
     t.title = quantile_words(q.problem);
-    t.caption =
-        "Intervals are 95 %; an end that is missing is not known. " + evaluations_text(a);
+    t.caption = "Intervals are 95 %; an end that is missing is not known. " +
+                evaluations_text(q.problem, a);
     t.head = {"method", q.response.name, "lower", "upper", {"outcome", kNote}};
     const auto shown = [&](const std::optional<double>& x) {
         return x ? cell(q.response.scale * *x) : Number{};

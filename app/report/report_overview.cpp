@@ -132,12 +132,15 @@ std::string in_short(const StudyWalls& study)
     if (low == high || low->walls.size() < kFewest || high->walls.size() < kFewest) return {};
     const LevelMeans a = means_of(low->walls), b = means_of(high->walls);
     if (!std::isfinite(a.peak) || !std::isfinite(b.peak)) return {};
+    const auto change = [](const std::string& from, const std::string& to) {
+        return from == to ? " stays at " + to : " goes from " + from + " to " + to;
+    };
     return "From " + stress_text(low->stress) + " to " + stress_text(high->stress) +
-           ", the mean peak force goes from " + fixed(a.peak, 1) + " to " + fixed(b.peak, 1) +
-           " kN, the share of walls that rocked from " + percent(a.rocking) + " to " +
-           percent(b.rocking) + " %, and the share that " + lost_text(study.study.fragility) +
-           " before the push ended from " + percent(a.came_down) + " to " +
-           percent(b.came_down) + " %.";
+           ", the mean peak force" + change(fixed(a.peak, 1), fixed(b.peak, 1)) +
+           " kN, the share of walls that rocked" +
+           change(percent(a.rocking), percent(b.rocking)) + " %, and the share that " +
+           lost_text(study.study.fragility) + " before the push ended" +
+           change(percent(a.came_down), percent(b.came_down)) + " %.";
 }
 
 std::string level_text(const FragilityInput& f, const StudyLevel& level)

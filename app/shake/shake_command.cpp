@@ -57,6 +57,7 @@ Table shaken_table(const std::vector<ShakenWall>& walls)
 std::string shaken_picture(const PreparedStudy& ready, const ShakenWall& w)
 {
     WallPictureText text;
+    text.pushed = false;
     text.title = w.motion.name;
     text.tints = stone_tints(ready.layout);
     if (ready.study.beam.present) text.vertical_load = stress_text(w.vertical_stress);

@@ -3,6 +3,7 @@
 #include "app/input/study/study.hpp"
 #include "app/input/study/units.hpp"
 #include "app/input/wall/wall_geometry.hpp"
+#include "app/text/number_text.hpp"
 #include "app/text/words.hpp"
 #include "ground/intensity.hpp"
 #include "ground/motion_facts.hpp"
@@ -46,6 +47,11 @@ std::vector<ground::GroundMotion> motions_of(const StudyFile& file, const char* 
     if (ground::is_pulse(text))
         return read_at(file, key,
                        [&] { return std::vector<ground::GroundMotion>{ground::pulse(text)}; });
+    if (text.ends_with(')') && !std::filesystem::exists(record_path(file, key, text)))
+        throw error_at(file, key,
+                       in_quotes(text) +
+                           " is neither a file nor a motion by formula; these are half_sine, "
+                           "sine, cosine, ricker, mavroeidis_papageorgiou and kanai_tajimi");
     const std::string path = record_path(file, key, text).string();
     try {
         std::vector<ground::GroundMotion> all;
@@ -65,7 +71,8 @@ ground::GroundMotion beside(ground::GroundMotion vertical, const ground::GroundM
 {
     if (vertical.step != m.step)
         throw error_at(file, "shaking.vertical",
-                       "must have the time step of " + in_quotes(m.name));
+                       "must have the time step of " + in_quotes(m.name) + ", " +
+                           number(m.step, 6) + " s; resample it");
     if (vertical.acceleration.size() > m.acceleration.size())
         throw error_at(file, "shaking.vertical",
                        "lasts longer than " + in_quotes(m.name) + "; cut it to its length");

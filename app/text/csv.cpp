@@ -179,6 +179,11 @@ double number_at(const Csv& csv, const CsvRow& row, std::size_t column)
 Csv parse_csv(const std::string& path, std::string_view text)
 {
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    if (text.find('\n') == std::string_view::npos && text.find('\r') < text.size()) {
+        std::string lines(text); // of an old spreadsheet
+        std::ranges::replace(lines, '\r', '\n');
+        return parse_csv(path, lines);
+    }
     Csv csv;
     csv.path = path;
     int first_line = 1;

@@ -137,8 +137,8 @@ TEST_CASE("record: gaps, doubled and unequal times are refused at their line",
         StartsWith("r.txt:3: a step of 0.02 s before 0.03 s, where 0.01 s is usual: a gap"));
     CHECK_THROWS_WITH(read("0.00 0.1\n0.01 0.1\n0.01 0.1\n"),
                       StartsWith("r.txt:3: the time 0.01 s does not come after"));
-    CHECK_THROWS_WITH(read("0.0 0.1\n5.0 0.1\n10.0 0.1\n"),
-                      Contains("a time step of 5 s is out of range"));
+    CHECK_THROWS_WITH(read("0 0.1\n1 0.1\n2 0.1\n"),
+                      Contains("a time step of 1 s is out of range") && Contains("in ms to s"));
     // 0.0025 s rounded to milliseconds
     std::string rounded;
     for (int i = 0; i < 400; ++i) {
@@ -176,6 +176,12 @@ TEST_CASE("record: columns of another quantity or unit are refused, not read in 
     }
     CHECK_THROWS_WITH(read("t;a\n0,00;0,1\n0,01;0,2\n"),
                       StartsWith("r.txt:2: decimal commas; write points"));
+    CHECK_THROWS_WITH(read("t a\n0 0\n0,01 0,2\n"), StartsWith("r.txt:3: decimal commas"));
+    CHECK_THROWS_WITH(read("acc [g], time [s]\n.3,0\n.1,.01\n.2,.02\n"),
+                      StartsWith("r.txt:2: the second column grows as a time does"));
+    refused("Zeit [ms]; a [m/s2]", "the times are in ms");
+    refused("time_ms, acc_g", "the times are in ms");
+    refused("time [s], acc [%g]", "\"%g\" is no unit of acceleration");
     CHECK_THROWS_WITH(read("1 2 3 4 5 6 7 8\n1 2 3 4 5 6 7 8\n"),
                       StartsWith("r.txt:1: 8 columns") && Contains("a line such as \"NPTS="));
 }
@@ -187,6 +193,18 @@ TEST_CASE("record: units are read, told or refused, never guessed where they mat
     CHECK(read(columns)[0].motion.acceleration[2] == Approx(-3 * 9.80665));
     CHECK_THAT(read(columns)[0].remarks.at(0), Contains("read in g"));
     CHECK(read("time (s)  acc (cm/s2)\n" + columns)[0].motion.acceleration[2] == Approx(-0.03));
+    // the names of the columns count before other lines; a letter is no unit
+    for (const std::string head : {"% time [s], acc [m/s2]\n# PGA = 0.35 g", "time_s,acc_m_s2",
+                                   "Acceleration\ns, m/s2", "Station G\ntime [s], a [m/s2]"}) {
+        INFO(head);
+        CHECK(read(head + "\n" + columns)[0].motion.acceleration[2] == -3.0);
+    }
+    CHECK_THAT(read("Station G\n" + columns)[0].remarks.at(0), Contains("read in g"));
+    CHECK(read("acc in m/s2\nNPTS= 2, DT= .01\n1 2\n")[0].motion.acceleration[1] == 2.0);
+    CHECK_THROWS_WITH(read("Title\nNPTS= 2, DT= .01\n1 200\n"), Contains("too large for g"));
+    // line ends of old spreadsheets, and quotes
+    CHECK(read("\"time [s]\",\"acc [g]\"\r\"0.00\",\"1\"\r\"0.01\",\"2\"\r")[0].motion.step ==
+          Approx(0.01));
     CHECK(read(columns, {"mm/s2"})[0].motion.acceleration[2] == Approx(-0.003));
     CHECK_THROWS_WITH(read("0.00 100\n0.01 200\n"), Contains("too large for g"));
     CHECK_THROWS_WITH(read(replaced(record_texts::at2(40), "UNITS OF G", "UNITS OF CM/SEC")),

@@ -34,7 +34,11 @@ Row rate_cells(const IntensityData& data, const ClusteredFit& c)
     if (data.hazard.empty()) return {};
     const fragility::AnnualRate r =
         fragility::annual_rate(data.hazard, c.fit.curve.median, c.fit.curve.dispersion);
-    return {Number{.value = r.lower, .lower = r.lower, .upper = r.upper, .decimals = 6}};
+    const auto cell = [](double rate) { // three digits, of a rate in a million years, too
+        const double magnitude = std::floor(std::log10(std::max(rate, 1e-15)));
+        return plain_number(rate, std::clamp(2 - static_cast<int>(magnitude), 0, 15));
+    };
+    return {cell(r.lower), cell(r.upper)};
 }
 
 Table limit_table_of(const IntensityData& data, const AllIntensityFits& fits)
@@ -67,11 +71,13 @@ Table limit_table_of(const IntensityData& data, const AllIntensityFits& fits)
               {"records", kDetail},
               {"walls", kDetail}};
     if (!data.hazard.empty()) {
-        t.head.push_back({"annual rate [1/a]", kInterval});
-        t.caption += " Annual rate: the hazard curve over the curve; its upper end counts all "
-                     "that lies beyond the last point of the hazard, its value nothing of it, "
-                     "and neither "
-                     "what lies below the first; it is no interval of the curve.";
+        t.head.push_back("annual rate [1/a]");
+        t.head.push_back("with all beyond the hazard [1/a]");
+        t.caption +=
+            " Annual rate: the hazard curve over the curve of the state as fitted, "
+            "without the doubt of its interval. It counts nothing that lies beyond the "
+            "last point of the hazard, the next column all of it, and neither what "
+            "lies below the first.";
     }
     t.head.push_back({"note", kNote});
     t.keys = 3;

@@ -147,11 +147,14 @@ NamedPicture cloud_of(const IntensityData& data, std::size_t level)
     stood.name = "stood";
     fell.name = "fell";
     std::vector<fragility::CloudPoint> points;
+    double least = 1e300, largest = 0.0;
     for (const auto& p : shaken_points(data, level, kAnyDrift)) {
         Series& s = p.fell ? fell : stood;
         const double drift = std::max(p.response, kElasticDrift);
         s.x.push_back(p.intensity);
         s.y.push_back(100.0 * drift);
+        least = std::min(least, drift);
+        largest = std::max(largest, drift);
         points.push_back({p.intensity,
                           p.fell                       ? fragility::right_censored(drift)
                           : p.response < kElasticDrift ? fragility::left_censored(kElasticDrift)
@@ -166,15 +169,18 @@ NamedPicture cloud_of(const IntensityData& data, std::size_t level)
         if (!s->x.empty()) c.series.push_back(*s);
     }
     const fragility::CloudFit f = fragility::fit_cloud(points);
-    if (f.outcome == fragility::ModelOutcome::converged) {
+    if (f.outcome == fragility::ModelOutcome::converged && f.slope != 0.0) {
         const auto [low, high] = std::ranges::minmax(
             points, {}, [](const fragility::CloudPoint& p) { return p.intensity; });
         Series line;
         line.name = "median, fallen walls above what was seen";
         line.colour = palette(2);
-        for (const double x : {low.intensity, high.intensity}) {
-            line.x.push_back(x);
-            line.y.push_back(100.0 * std::exp(f.intercept + f.slope * std::log(x)));
+        for (const double end : {low.intensity, high.intensity}) {
+            // not beyond the drifts that were seen
+            const double ln_drift = std::clamp(f.intercept + f.slope * std::log(end),
+                                               std::log(least), std::log(largest));
+            line.x.push_back(std::exp((ln_drift - f.intercept) / f.slope));
+            line.y.push_back(100.0 * std::exp(ln_drift));
         }
         c.series.push_back(std::move(line));
     }

@@ -6,6 +6,7 @@
 #include "app/text/words.hpp"
 
 #include <algorithm>
+#include <variant>
 
 namespace app {
 namespace {
@@ -49,7 +50,8 @@ void cut_off(const Key& key, std::string_view text, RandomInput& random)
     const double low = to_si(key.range.low, key.unit), high = to_si(key.range.high, key.unit);
     random.cut = (low > m.lower ? uq::cdf(m, low) : 0.0) +
                  (high < m.upper ? uq::complement(m, high) : 0.0);
-    if (!(random.cut < kMostCut))
+    const bool measured = std::holds_alternative<uq::Empirical>(m.shape);
+    if (!(random.cut < (measured ? 1e-12 : kMostCut)))
         throw BadValue(in_quotes(text) + " lies outside the range of this key, " +
                        range_text(key) + "; check its unit");
     m.lower = std::max(m.lower, low);

@@ -23,7 +23,6 @@ struct LegendEntry {
 /// The label of a vertical reference line, or its number.
 struct VerticalLabel {
     double at = 0.0; ///< left end of the text, middle of the number [px]
-    int row = 0;     ///< of the text, from the top; texts of a row do not overlap
     int number = 0;  ///< from 1 at the left; 0: the text stands at the line
 };
 

@@ -97,7 +97,7 @@ void add_vertical(const Chart& chart, const ChartFrame& f, std::vector<ChartLabe
                            true,
                            {}});
         else
-            all.push_back(text_at(v.at, f.top + 13.0 + kLabelRow * v.row, line.label));
+            all.push_back(text_at(v.at, f.top + 13.0, line.label));
     }
 }
 

@@ -105,23 +105,18 @@ void place_legend(std::vector<LegendEntry>& entries, double page_width, Pixel fi
     }
 }
 
-/// Texts in rows at the top. @return false: they take too many rows, or leave the frame
+/// Texts in a row at the top. @return false: one runs over another line, or leaves the frame
 bool place_texts(const std::vector<ReferenceLine>& lines, ChartFrame& f)
 {
-    constexpr std::size_t kMostRows = 2;
-    std::vector<double> row_ends; // right end of the last label in each row [px]
+    double last = f.left; // right end of what stands already [px]
     for (const std::size_t i : from_left(lines, f.x)) {
         const double width = text_width(lines[i].label, kTickSize) + 10.0;
         const double line = f.left + (f.right - f.left) * f.x.share(lines[i].at);
         // to the right of its line, or to the left where it would leave the frame
         const double start = line + width < f.right ? line : line - width;
-        if (start < f.left) return false;
-        std::size_t row = 0;
-        while (row < row_ends.size() && row_ends[row] > start) ++row;
-        if (row == row_ends.size()) row_ends.push_back(0.0);
-        if (row_ends.size() > kMostRows) return false;
-        row_ends[row] = start + width;
-        f.vertical[i] = {start + 5.0, static_cast<int>(row), 0};
+        if (start < last) return false;
+        last = start + width;
+        f.vertical[i] = {start + 5.0, 0};
     }
     return true;
 }
@@ -153,7 +148,7 @@ void place_numbers(const std::vector<ReferenceLine>& lines, ChartFrame& f)
         for (std::size_t i = 0; i < run.size; ++i, ++k) {
             const double at = std::clamp(run.mean(), low, high - step * (n - 1.0)) +
                               step * static_cast<double>(k);
-            f.vertical[order[k]] = {at, 0, static_cast<int>(k) + 1};
+            f.vertical[order[k]] = {at, static_cast<int>(k) + 1};
         }
 }
 
@@ -195,10 +190,8 @@ ChartFrame lay_out_chart(const Chart& chart)
     if (chart.top) f.top += 36.0;
     f.bottom = chart.height - (chart.x_label.empty() ? 34.0 : 54.0);
     if (chart.vertical.empty() && chart.marks.empty()) return f;
-    int rows = chart.marks.empty() ? 0 : 1; // the label of a mark stands above it
-    if (texts)
-        for (const VerticalLabel& v : f.vertical)
-            rows = std::max(rows, v.row + (chart.marks.empty() ? 1 : 2));
+    // the label of a mark stands above it
+    const int rows = (chart.marks.empty() ? 0 : 1) + (texts && !chart.vertical.empty() ? 1 : 0);
     const double headroom =
         (rows * kLabelRow + 6.0 + (texts ? 0.0 : kNumberRow)) / (f.bottom - f.top);
     f.y = make_axis(range_y, chart.log_y, std::min(headroom, 0.6));

@@ -135,7 +135,7 @@ std::string draw_loads(const Panel& panel, const Page& page, const WallPictureTe
     const double z = std::clamp(text.load_height, beam.low.z, beam.high.z);
     const bool to_right = panel.wall.force >= 0.0;
     const Pixel tip = panel.view.place({to_right ? beam.low.x : beam.high.x, z});
-    return draw_horizontal_load(panel, page, tip, to_right ? 1.0 : -1.0) +
+    return (text.pushed ? draw_horizontal_load(panel, page, tip, to_right ? 1.0 : -1.0) : "") +
            draw_vertical_load(panel.view.place({beam.low.x, beam.high.z}),
                               panel.view.place(beam.high), text.vertical_load);
 }
@@ -156,13 +156,13 @@ std::string draw_scale_bar(const Page& page, const WallView& view)
                                                               "font-size=\"12\"");
 }
 
-std::string draw_heading(const Panel& panel, const Page& page, double load_height)
+std::string draw_heading(const Panel& panel, const Page& page, const WallPictureText& text)
 {
     const dem::Snapshot& wall = panel.wall;
     const std::string numbers =
         never_rounded_away(wall.displacement * 1e3, 1) + " mm,  drift " +
-        never_rounded_away(100.0 * fragility::drift(wall.displacement, load_height), 2) +
-        " %,  " + load_text(wall.force, page) + " kN";
+        never_rounded_away(100.0 * fragility::drift(wall.displacement, text.load_height), 2) +
+        " %,  " + load_text(wall.force, page) + (text.pushed ? " kN" : " kN at the base");
     const double after_name = panel.left + text_width(panel.name, 15.0) + 18.0;
     return svg_text({panel.left, page.top - 30.0}, panel.name,
                     "font-size=\"15\" font-weight=\"bold\"") +
@@ -175,7 +175,7 @@ std::string draw_panel(const Panel& panel, const Page& page, const WallPictureTe
 {
     const dem::Snapshot& wall = panel.wall;
     const WallView& view = panel.view;
-    return draw_heading(panel, page, text.load_height) +
+    return draw_heading(panel, page, text) +
            svg_window({panel.left, page.top}, page.panel_width, page.height,
                       draw_undeformed(wall, view) + draw_ground(page, view) +
                           draw_blocks(wall, view, text.tints) +

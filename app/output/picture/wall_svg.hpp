@@ -12,6 +12,7 @@ namespace app {
 struct WallPictureText {
     std::string title = {};         ///< above the panels; may be empty
     std::string vertical_load = {}; ///< above the beam, e.g. "0.50 MPa"; empty: no arrows
+    bool pushed = true;             ///< false: the ground moves, the force is that at the base
     double load_height = 1.10;      ///< of the horizontal load, for the drift [m], > 0
     double mark_above = 5e-4;       ///< openings and slips above this are marked [m], > 0
     std::string peak_name = "At peak";

@@ -23,7 +23,7 @@ namespace app {
 /// "0.62 %"
 [[nodiscard]] inline std::string error_text(double error)
 {
-    return number(100.0 * error, 2) + " %";
+    return (error < 0.995 ? number(100.0 * error, 2) : fixed(100.0 * error, 0)) + " %";
 }
 
 /// Errors that the pushes estimate of their own forces.

@@ -1,11 +1,12 @@
 #include "app/study/stored/shaken_intensities.hpp"
 
 #include "app/input/study/study.hpp"
-#include "app/input/study/units.hpp"
 #include "app/output/table/cells.hpp"
 #include "app/text/number_text.hpp"
 #include "app/text/words.hpp"
+#include "ground/call_text.hpp"
 
+#include <algorithm>
 #include <string_view>
 
 namespace app {
@@ -27,15 +28,25 @@ std::vector<double> values_of(const ShakingInput& shaking, const StudyFile& sour
     constexpr const char* kKey = "shaking.intensities";
     std::vector<double> all;
     if (shaking.intensities.empty()) return all;
-    const std::string unit(measure_unit(measure));
-    for (std::string part : split_outside_brackets(shaking.intensities)) {
-        if (part.ends_with(unit))
-            part = std::string(
-                trimmed(std::string_view(part).substr(0, part.size() - unit.size())));
-        const double x = read_at(source, kKey, [&] { return parse_quantity(part, ""); });
+    const auto dimension = measure.kind == ground::MeasureKind::pgv
+                               ? ground::Dimension::velocity
+                               : ground::Dimension::acceleration;
+    const auto parts = split_outside_brackets(shaking.intensities);
+    const auto unit_of = [](std::string_view part) {
+        return std::string(
+            part.substr(std::min(part.find_first_not_of("0123456789.+-eE "), part.size())));
+    };
+    // the unit may stand at the end alone; without any it is that of the measure
+    std::string unit = unit_of(parts.back());
+    if (unit.empty()) unit = measure_unit(measure);
+    for (const std::string& part : parts) {
+        const double x = read_at(source, kKey, [&] {
+            return ground::quantity(unit_of(part).empty() ? part + " " + unit : part,
+                                    dimension);
+        });
         if (x <= 0.0)
             throw error_at(source, kKey, "must be above 0; write e.g. 0.1, 0.2 " + unit);
-        all.push_back(x * measure_unit_value(measure));
+        all.push_back(x);
     }
     return all;
 }

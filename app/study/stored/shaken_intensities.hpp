@@ -19,7 +19,8 @@ struct ShakenIntensities {
     double scale = 1.0;         ///< on all of them [-]
 };
 
-/// Values are read in the unit in which people read the measure; the unit may follow each.
+/// The unit may follow each value or the last; without any, values are in that in which people
+/// read the measure.
 /// @throws ConfigError about shaking.measure and shaking.intensities
 [[nodiscard]] ShakenIntensities shaken_intensities(const ShakingInput& shaking,
                                                    const StudyFile& source);

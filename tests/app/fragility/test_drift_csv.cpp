@@ -128,6 +128,10 @@ TEST_CASE(
     CHECK_FALSE(walls[2].limits[0].has_value());
     CHECK(std::isinf(walls[3].limits[0]->upper));
     CHECK(data.drift.find("1 cell without a value") != std::string::npos);
+    // lines of old spreadsheets
+    CHECK(
+        read("wall,drift [%]\rA,1.5\rB,2.5\r", {{"drift"}, {}, ""}).groups.at(0).walls.size() ==
+        2);
 }
 
 TEST_CASE("drift CSV: each column of drifts may have a column of censoring of its own",

@@ -47,6 +47,13 @@ TEST_CASE("command line: a push takes its study, output directory and options in
     CHECK(command.quiet);
 }
 
+TEST_CASE("command line: help knows distributions by name", "[app][command_line]")
+{
+    for (const char* word : {"distributions", "lognormal", "empirical"})
+        CHECK(has(help(word), "  lognormal(mean ..., cov ...)"));
+    CHECK_FALSE(has(help("courses"), "lognormal"));
+}
+
 TEST_CASE("command line: what is not said has a default", "[app][command_line]")
 {
     const app::Command command = parse({"push", "configs/wall.ini"});

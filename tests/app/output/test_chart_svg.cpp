@@ -131,17 +131,20 @@ TEST_CASE("chart: a long legend takes more rows and stays on the page", "[app][c
     }
 }
 
-TEST_CASE("chart: labels of close reference lines stand below each other", "[app][chart_svg]")
+TEST_CASE("chart: no label of a reference line runs over another line", "[app][chart_svg]")
 {
     Chart chart = capacity();
-    chart.vertical = {
-        {10.0, "peak 10.0 mm"}, {10.5, "drop 10.5 mm"}, {26.0, "end"}, {29.9, "last one"}};
-    std::vector<int> rows;
-    for (const app::VerticalLabel& label : app::lay_out_chart(chart).vertical) {
-        CHECK(label.number == 0);
-        rows.push_back(label.row);
-    }
-    CHECK(rows == std::vector<int>{0, 1, 0, 1});
+    const auto numbers = [&](std::vector<app::ReferenceLine> lines) {
+        chart.vertical = std::move(lines);
+        std::vector<int> all;
+        for (const app::VerticalLabel& label : app::lay_out_chart(chart).vertical)
+            all.push_back(label.number);
+        return all;
+    };
+    CHECK(numbers({{10.0, "peak 10.0 mm"}, {22.0, "drop 22.0 mm"}}) == std::vector<int>{0, 0});
+    CHECK(numbers({{10.0, "peak 10.0 mm"}, {11.5, "drop 11.5 mm"}}) == std::vector<int>{1, 2});
+    // a label at the right end stands to the left of its line
+    CHECK(numbers({{26.0, "end"}, {29.9, "last one of all"}}) == std::vector<int>{1, 2});
 }
 
 TEST_CASE("chart: a horizontal label goes where no line runs", "[app][chart_svg]")

@@ -151,6 +151,30 @@ TEST_CASE("shaking: a block slides as far as Newmark's under half a sine and a r
     CHECK(-r.residual_displacement == Approx(c.way * peak / (omega * omega)).epsilon(0.01));
 }
 
+TEST_CASE(
+    "shaking: ground that accelerates upwards presses a block down, downwards it frees it",
+    "[dem][shaking]")
+{
+    const double peak = kGravity, duration = 0.25, omega = std::numbers::pi / duration;
+    struct Case {
+        double vertical, way; // g; A / omega^2 at friction of 0.2 (1 + vertical)
+    };
+    const auto c = GENERATE(values<Case>({{0.5, 3.826231}, {-0.5, 16.958449}}));
+    dem::ShakePlan plan = half_sine(peak, duration);
+    constexpr std::size_t kRise = 400; // samples before the pulse
+    plan.horizontal.insert(plan.horizontal.begin(), kRise, 0.0);
+    plan.horizontal.resize(plan.horizontal.size() + 3000, 0.0);
+    for (std::size_t i = 0; i < plan.horizontal.size(); ++i)
+        plan.vertical.push_back(c.vertical * kGravity *
+                                std::min(1.0, static_cast<double>(i) / kRise));
+    plan.free_vibration = 0.1;
+    plan.contact_damping = 0.1;
+    const auto r = shaken(block(2.0, 0.25, 1e10, 0.2), plan);
+    INFO("vertical " << c.vertical << " g, ledger " << r.residual);
+    CHECK(-r.residual_displacement == Approx(c.way * peak / (omega * omega)).epsilon(0.01));
+    CHECK(r.residual < 0.01);
+}
+
 TEST_CASE("shaking: a block on ground that swings slides the way of each half cycle",
           "[dem][shaking]")
 {

@@ -1,7 +1,8 @@
 #include "uq/marginals/shapes/shape_checks.hpp"
 
+#include <array>
+#include <charconv>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -9,10 +10,10 @@ namespace uq {
 
 void refuse(const char* what, double value, const char* allowed)
 {
-    std::ostringstream text;
-    text.precision(17);
-    text << what << " is " << value << "; allowed: " << allowed;
-    throw std::invalid_argument(text.str());
+    std::array<char, 32> digits{}; // as few as tell the value apart
+    std::to_chars(digits.data(), digits.data() + digits.size(), value);
+    throw std::invalid_argument(std::string(what) + " is " + digits.data() +
+                                "; allowed: " + allowed);
 }
 
 void require_finite(const char* what, double value)
