@@ -222,11 +222,11 @@ TEST_CASE("solver error: a fall that the force touches opens the bounds of its d
     CHECK(drift_wall().most == Approx(2.5));
     CHECK_THAT(app::solver_error_text(walls),
                Contains(" It leaves an error in the displacement at 80 % of the peak: median "
-                        "1.5e+02 %, at most 1.5e+02 %."));
+                        "150 %, at most 150 %."));
     range.latest.reading = fragility::Reading::censored;
     CHECK(std::isinf(drift_wall().most));
     CHECK_THAT(app::solver_error_text(walls),
-               Contains("at most 1.5e+02 %; the range of 1 wall goes on beyond the end of "
+               Contains("at most 150 %; the range of 1 wall goes on beyond the end of "
                         "the push."));
     range = {{0.0199, fragility::Reading::observed, {}},
              {0.0201, fragility::Reading::observed, {}}};

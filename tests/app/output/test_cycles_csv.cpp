@@ -72,6 +72,7 @@ TEST_CASE("cycles.csv: a value that a cycle does not have is an empty cell", "[a
     CHECK(table.find(",,,") != std::string::npos);
     CHECK(table.find(",1,1,0,0,0,0\n2,") != std::string::npos); // closed; 1 J of friction
     CHECK(table.ends_with(",0,0.25,0,0,0,0\n"));                // not closed
+    CHECK(table.find("\n2,4,2,0,5,,") != std::string::npos);    // half a loop has no damping
 }
 
 TEST_CASE("cycles.csv: the ledger stands at the ends of the intervals of the curve",
