@@ -20,7 +20,7 @@ struct DxfContent {
     double snap = 0.0;                          ///< [m]
     std::map<std::string, std::size_t> ignored; ///< how many of each type
     std::size_t in_paper_space = 0;
-    std::size_t arcs = 0; ///< read as straight pieces
+    std::size_t arcs = 0;                ///< read as straight pieces
     std::set<std::string> hidden_layers; ///< off or frozen, in upper case
     std::set<std::string> frozen_layers; ///< those of them that are frozen
     HiddenShapes hidden;

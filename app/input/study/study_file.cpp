@@ -87,7 +87,8 @@ StudyFile parse_study_text(const std::string& path, std::string_view text)
 {
     if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3); // byte order mark
     if (!is_text(text)) {
-        throw ConfigError(path, 0, "", "is not UTF-8 text; save the study as plain text in UTF-8");
+        throw ConfigError(path, 0, "",
+                          "is not UTF-8 text; save the study as plain text in UTF-8");
     }
     StudyFile file{path, {}, {}, 0};
     LineReader reader(file);

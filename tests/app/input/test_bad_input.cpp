@@ -99,7 +99,7 @@ std::vector<BadDrawing> bad_drawings()
              "m", "w.dxf:6: this outline is open: it begins at (0, 0)", "ends at (1, 1)"},
             {"empty", "w.dxf", dxf(""), "m", "w.dxf: holds no closed outline"},
             {"arc", "w.dxf", dxf(triangle + "0\nARC\n10\n2\n20\n3\n40\n1\n50\n0\n51\n90\n"),
-             "m", "w.dxf:24: at (2, 3) there is an arc"},
+             "m", "w.dxf:24: this line ends at (3, 3)"},
             {"spline", "w.dxf", dxf(triangle + "0\nSPLINE\n10\n2\n20\n3\n"), "m",
              "w.dxf:24: at (2, 3) there is a spline"},
             {"empty layer", "w.dxf", dxf(triangle),
