@@ -15,6 +15,7 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,8 @@ std::vector<ground::GroundMotion> motions_of(const fs::path& folder)
     std::vector<ground::GroundMotion> all;
     for (const fs::path& file : files)
         all.push_back(beginning(ground::read_records(file.string()).front().motion));
+    if (all.empty())
+        throw std::runtime_error(folder.string() + " holds no .txt of two columns");
     return all;
 }
 
