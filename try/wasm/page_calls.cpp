@@ -137,7 +137,8 @@ DRYSTONE_EXPORT(push) const char* push(const char* text, std::size_t size, int f
         dem::PushResult result =
             dem::push(model, app::wall_materials(study, model.layout, 0, {}),
                       shown_plan(study, frames), study.solver);
-        return result_of(ready, app::read_wall(study, 0, std::move(result)));
+        return result_of(ready, app::read_wall(app::reading_rules(study), study.load,
+                                               study.output, 0, std::move(result)));
     });
 }
 
@@ -166,12 +167,14 @@ const char* walls(const char* text, std::size_t size, int first, int step)
                 dem::check(model, materials);
                 return materials;
             } catch (const std::invalid_argument& bad) {
-                tell(mine[i], app::no_wall(study, 0, bad.what()));
+                tell(mine[i],
+                     app::no_wall(app::reading_rules(study), study.load, 0, bad.what()));
                 return {};
             }
         };
         ensemble.done = [&](std::size_t i, dem::PushResult&& result) {
-            tell(mine[i], app::read_wall(study, 0, std::move(result)));
+            tell(mine[i], app::read_wall(app::reading_rules(study), study.load, study.output, 0,
+                                         std::move(result)));
         };
         dem::PushPlan push_plan = app::push_plan(study);
         push_plan.snapshot_every = 0.0;
