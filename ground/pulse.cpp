@@ -50,6 +50,14 @@ bool is_pulse(std::string_view text)
     return false;
 }
 
+std::string pulse_names()
+{
+    std::string names;
+    for (const std::string_view name : kPulses)
+        names += (names.empty() ? "" : ", ") + std::string(name);
+    return names;
+}
+
 GroundMotion pulse(std::string_view text)
 {
     const CallText call = parse_call(text);
@@ -103,9 +111,8 @@ GroundMotion pulse(std::string_view text)
                     c * std::sin(fast) * (1.0 + std::cos(slow)));
         });
     }
-    throw std::invalid_argument(
-        in_quotes(call.name) +
-        " is no pulse; use half_sine, sine, cosine, ricker or mavroeidis_papageorgiou");
+    throw std::invalid_argument(in_quotes(call.name) + " is no pulse; these are " +
+                                pulse_names());
 }
 
 } // namespace ground

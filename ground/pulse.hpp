@@ -11,6 +11,9 @@ namespace ground {
 /// True if the text begins with the name of a pulse and a bracket, so that it names no file.
 [[nodiscard]] bool is_pulse(std::string_view text);
 
+/// The names of all pulses: "half_sine, sine, ...".
+[[nodiscard]] std::string pulse_names();
+
 /// The motion that a text describes:
 ///   half_sine(peak 0.5 g, duration 0.3 s)        a = A sin(pi t / D)
 ///   sine(peak 0.5 g, period 0.6 s, cycles 1)     a = A sin(2 pi t / T)

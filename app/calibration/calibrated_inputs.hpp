@@ -30,7 +30,7 @@ struct CalibratedInputs {
     bool all = false;       ///< the study has no other random input
 };
 
-/// The distributions that study.calibration.inputs names.
+/// The distributions that calibration.inputs names.
 /// @throws ConfigError where it names something else, an input that varies inside a wall or is
 /// correlated with one that is not named, or where the study has too few walls to learn so many
 [[nodiscard]] CalibratedInputs calibrated_inputs(const CalibrationInput& calibration,

@@ -1,6 +1,7 @@
 #include "app/compare/compared.hpp"
 
 #include "app/compare/compared_limits.hpp"
+#include "app/compare/measured.hpp"
 #include "app/input/study_name.hpp"
 #include "app/output/picture/chart_svg.hpp"
 #include "app/output/table/cells.hpp"
@@ -18,7 +19,6 @@
 #include "fragility/curve/drift.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -155,97 +155,6 @@ Compared of_push(const fs::path& folder)
     return c;
 }
 
-/// Farthest displacement of a side, and the sum of the forces on the way out there.
-struct WayOut {
-    double reach = 0.0, force = 0.0;
-};
-
-WayOut way_out(const TestCurve& curve, int side)
-{
-    WayOut out;
-    for (std::size_t i = 0; i < curve.force.size(); ++i)
-        if (const double u = side * curve.displacement[i]; u > out.reach)
-            out = {u, out.force + side * curve.force[i]};
-    return out;
-}
-
-/// Load cells that measure the reaction have the other sign.
-std::string turn_force(TestCurve& curve)
-{
-    if (way_out(curve, 1).force + way_out(curve, -1).force >= 0.0) return "";
-    for (double& f : curve.force) f = -f;
-    return "its forces are against its displacements, as those of a reaction; their signs were "
-           "changed";
-}
-
-std::string note_of_begin(const TestCurve& curve)
-{
-    const auto off = [](const std::vector<double>& v) {
-        const auto [least, most] = std::ranges::minmax(v);
-        return std::abs(v.front()) > kNoise * (most - least);
-    };
-    if (!off(curve.displacement) && !off(curve.force)) return "";
-    return "it begins at " + fixed(curve.displacement.front() * 1e3, 2) + " mm and " +
-           fixed(curve.force.front() * 1e-3, 2) +
-           " kN; subtract them from its columns if the wall was at rest there";
-}
-
-/// Cycles have no single curve, nor has a sensor that jitters: they are read on the envelope of
-/// each side that the wall was pushed to.
-ReadingRules rules_of(const TestCurve& curve)
-{
-    const double right = way_out(curve, 1).reach, left = way_out(curve, -1).reach;
-    ReadingRules rules;
-    rules.direction = left > right ? -1 : 1;
-    const auto comes_back = [&](double a, double b) { return (b - a) * rules.direction < 0.0; };
-    if (std::ranges::adjacent_find(curve.displacement, comes_back) == curve.displacement.end())
-        return rules;
-    rules.direction = 0;
-    if (left < kNoise * right) rules.backbone = fragility::Side::right;
-    if (right < kNoise * left) rules.backbone = fragility::Side::left;
-    return rules;
-}
-
-/// The stiffness of the side that was loaded first, where the mean of both has none.
-double stiffness_of(const WallReading& r)
-{
-    if (r.stiffness) return *r.stiffness;
-    for (const WallReading& side : r.backbones)
-        if (side.stiffness) return *side.stiffness;
-    return kNoNumber;
-}
-
-Compared of_test(const std::string& path)
-{
-    TestCurve curve = read_test_curve(path);
-    Compared c;
-    c.name = curve.name;
-    for (const std::string& note : {turn_force(curve), note_of_begin(curve)})
-        if (!note.empty()) c.note += (c.note.empty() ? "" : "; ") + note;
-    const WallReading r = read({curve.displacement, curve.force}, {}, rules_of(curve), true);
-    c.peak = peak_force(r);
-    c.cells = {Number{},
-               count(1),
-               number_cell(wall_number("peak_force"), peak_force(r)),
-               number_cell(wall_number("peak_displacement"), peak_displacement(r)),
-               number_cell(wall_number("secant_stiffness"), stiffness_of(r)),
-               limit_cell(r.ultimate, 1e3, 1),
-               Number{},
-               std::string("measured")};
-    c.measured = true;
-    c.displacement = std::move(curve.displacement);
-    c.force = std::move(curve.force);
-    return c;
-}
-
-bool is_table_name(const std::string& path)
-{
-    std::string ending = fs::path(path).extension().string();
-    std::ranges::transform(ending, ending.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return ending == ".csv" || ending == ".txt" || ending == ".tsv";
-}
-
 std::string line_name(const Compared& c)
 {
     return std::isnan(c.stress) ? c.name : c.name + ", " + stress_text(c.stress);
@@ -290,7 +199,7 @@ std::vector<Compared> read_compared(const std::string& path)
     const fs::path folder = path;
     if (fs::exists(folder / kFragilityFile) && !fs::exists(folder / "summary.json")) return {};
     if (fs::is_directory(path)) return {of_push(path)};
-    if (is_table_name(path) && fs::exists(path)) return {of_test(path)};
+    if (is_measured(path) && fs::exists(path)) return {read_measured(path)};
     if (!fs::exists(path)) throw ConfigError(path, 0, "", "there is no such file or folder");
     throw ConfigError(
         path, 0, "",

@@ -73,8 +73,8 @@ Number of(const std::optional<double>& value, double scale, int decimals)
 
 std::vector<fragility::Cycle> compared_cycles(const Compared& c)
 {
-    const std::vector<double> displacement = without_jitter(c.displacement);
-    return fragility::cycles({displacement, c.force});
+    return fragility::cycles(
+        {c.measured ? without_jitter(c.displacement) : c.displacement, c.force});
 }
 
 Table compared_cycle_table(const std::vector<Compared>& all)

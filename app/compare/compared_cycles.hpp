@@ -10,7 +10,7 @@
 
 namespace app {
 
-/// Cycles of a path whose displacements may jitter about zero, which begins no cycle.
+/// Cycles of a path. Measured displacements may jitter about zero, which begins no cycle.
 [[nodiscard]] std::vector<fragility::Cycle> compared_cycles(const Compared& c);
 
 /// One row for each cycle of those that go to and fro; no rows where none does.

@@ -1,5 +1,7 @@
 #include "app/drawing/svg_style.hpp"
 
+#include "app/text/words.hpp"
+
 #include <algorithm>
 #include <cstddef>
 
@@ -7,15 +9,6 @@ namespace app {
 namespace {
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '%'; }
-
-std::string lower_case(std::string_view text)
-{
-    std::string lower(text);
-    std::ranges::transform(lower, lower.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
-    return lower;
-}
 
 } // namespace
 

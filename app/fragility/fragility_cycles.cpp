@@ -20,7 +20,7 @@ void add_cycle(const StudyWalls& study, const StudyWall& w, std::size_t k, Cycle
 {
     const fragility::Cycle& c = w.cycles[k];
     const std::optional<double> damping = fragility::equivalent_damping(c);
-    if (!c.closed || !damping) return;
+    if (!damping) return;
     all.drift.push_back(fragility::percent_drift(fragility::amplitude(c), study.height));
     all.damping.push_back(100.0 * *damping);
     all.energy.push_back(c.energy);

@@ -67,9 +67,7 @@ std::vector<CycleColumn> cycle_columns(const std::vector<Cycle>& cycles,
     add("force_minus", "kN", kKn, std::mem_fn(&Cycle::force_minus));
     add("energy", "J", 1.0, std::mem_fn(&Cycle::energy));
     add("damping", "percent", kPercent,
-        [](const Cycle& c) { // half a loop is no loop
-            return c.closed ? fragility::equivalent_damping(c) : std::nullopt;
-        });
+        [](const Cycle& c) { return fragility::equivalent_damping(c); });
     add("residual_plus", "mm", kMm, std::mem_fn(&Cycle::residual_plus));
     add("residual_minus", "mm", kMm, std::mem_fn(&Cycle::residual_minus));
     add("stiffness", "kN_per_mm", kKnPerMm,

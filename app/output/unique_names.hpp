@@ -1,8 +1,9 @@
 #pragma once
 /// Names of files and IDs, no two alike.
 
+#include "app/text/words.hpp"
+
 #include <algorithm>
-#include <cctype>
 #include <set>
 #include <string>
 
@@ -31,20 +32,12 @@ class UniqueNames {
     std::string add(const std::string& wanted)
     {
         std::string name = wanted;
-        for (int n = 2; !taken_.insert(lower(name)).second; ++n)
+        for (int n = 2; !taken_.insert(lower_case(name)).second; ++n)
             name = wanted + "_" + std::to_string(n);
         return name;
     }
 
   private:
-    static std::string lower(std::string text)
-    {
-        std::ranges::transform(text, text.begin(), [](unsigned char c) {
-            return static_cast<char>(std::tolower(c));
-        });
-        return text;
-    }
-
     std::set<std::string> taken_;
 };
 

@@ -234,10 +234,9 @@ void add_beyond_limits(const dem::Beam& beam, bool slides, double peak, HandChec
                2.0 * *h.rocking_limit, h.remarks);
 }
 
-HandChecks limits_of(const Masonry& masonry, const Parameters& parameters,
+HandChecks limits_of(const Masonry& masonry, const Parameters& p,
                      const std::vector<RandomInput>& random, const PushedWall& w)
 {
-    const Parameters& p = parameters;
     dem::Loads loads = w.loads;
     loads.vertical_stress = w.vertical_stress;
     const dem::RigidWall rigid =

@@ -5,7 +5,6 @@
 #include "app/text/measured_table.hpp"
 #include "app/text/text_file.hpp"
 
-#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <span>
@@ -15,15 +14,6 @@
 
 namespace app {
 namespace {
-
-struct MeasuredUnit {
-    std::string_view name;
-    double si; ///< its value in SI units
-};
-constexpr std::array kLengths = {MeasuredUnit{"mm", 1e-3}, MeasuredUnit{"cm", 1e-2},
-                                 MeasuredUnit{"m", 1.0}};
-constexpr std::array kForces = {MeasuredUnit{"kn", 1e3}, MeasuredUnit{"n", 1.0},
-                                MeasuredUnit{"mn", 1e6}};
 
 struct MeasuredColumn {
     std::size_t index = 0;
@@ -82,9 +72,10 @@ TestCurve read_test_curve(const std::string& path)
         measured_table(path, read_bytes(path, kMost, "is larger than 64 MiB",
                                         "give a table with displacement_mm,force_kN"));
     const Csv& csv = table.csv;
-    const MeasuredColumn u = measured_column(csv, table.line, "displacement", kLengths,
+    const MeasuredColumn u = measured_column(csv, table.line, "displacement", kLengthUnits,
                                              "mm, cm or m"),
-                         f = measured_column(csv, table.line, "force", kForces, "kN, N or MN");
+                         f = measured_column(csv, table.line, "force", kForceUnits,
+                                             "kN, N or MN");
     TestCurve curve;
     curve.name = std::filesystem::path(path).stem().string();
     for (const CsvRow& row : csv.rows) {

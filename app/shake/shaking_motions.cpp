@@ -50,8 +50,8 @@ std::vector<ground::GroundMotion> motions_of(const StudyFile& file, const char* 
     if (text.ends_with(')') && !std::filesystem::exists(record_path(file, key, text)))
         throw error_at(file, key,
                        in_quotes(text) +
-                           " is neither a file nor a motion by formula; these are half_sine, "
-                           "sine, cosine, ricker, mavroeidis_papageorgiou and kanai_tajimi");
+                           " is neither a file nor a motion by formula; these are " +
+                           ground::pulse_names() + " and kanai_tajimi");
     const std::string path = record_path(file, key, text).string();
     try {
         std::vector<ground::GroundMotion> all;

@@ -57,7 +57,7 @@ void check_pdf(const fs::path& html)
                               "\" is there, and no sheet beside it; write another name");
 }
 
-std::string subtitle(const Masonry& masonry, const dem::Beam& beam, const PushedWall& w)
+std::string subtitle(const Masonry& masonry, const PushedWall& w)
 {
     std::string text = number(wall_length(masonry), 4) + " x " +
                        number(wall_height(masonry), 4) + " x " +
@@ -65,7 +65,7 @@ std::string subtitle(const Masonry& masonry, const dem::Beam& beam, const Pushed
     const MaterialPreset* const material =
         find_material(kMaterialNames.at(static_cast<std::size_t>(masonry.geometry.material)));
     if (material != nullptr) text += ", " + std::string(material->meaning);
-    if (!beam.present) return text + ", without a load on its top";
+    if (!masonry.beam.present) return text + ", without a load on its top";
     return text + ", " + stress_text(w.vertical_stress) + " of vertical stress on its top";
 }
 
@@ -197,7 +197,7 @@ Sheet sheet_of(const Study& study, const dem::Layout& layout, const PushedWall& 
     const ReadingRules rules = reading_rules(study);
     Sheet s;
     s.title = title_of(command);
-    s.subtitle = subtitle(study, study.beam, w);
+    s.subtitle = subtitle(study, w);
     s.answer = answer_sentences(study.load, study.fragility,
                                 hand_checks(study, layout, w).vertical_load, w);
     s.moves = moving_part(study.load);

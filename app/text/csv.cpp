@@ -176,14 +176,17 @@ double number_at(const Csv& csv, const CsvRow& row, std::size_t column)
     return value;
 }
 
-Csv parse_csv(const std::string& path, std::string_view text)
+std::string plain_text(std::string text)
 {
-    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-    if (text.find('\n') == std::string_view::npos && text.find('\r') < text.size()) {
-        std::string lines(text); // of an old spreadsheet
-        std::ranges::replace(lines, '\r', '\n');
-        return parse_csv(path, lines);
-    }
+    if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+    if (text.find('\n') == std::string::npos) std::ranges::replace(text, '\r', '\n');
+    return text;
+}
+
+Csv parse_csv(const std::string& path, std::string_view bytes)
+{
+    const std::string plain = plain_text(std::string(bytes));
+    std::string_view text = plain;
     Csv csv;
     csv.path = path;
     int first_line = 1;

@@ -4,8 +4,8 @@
 #include "app/text/words.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cstddef>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -15,21 +15,13 @@ namespace {
 constexpr std::string_view kBetweenWords = " _[](),/";
 constexpr std::string_view kSeparators = ",;\t";
 
-std::string in_small_letters(std::string_view text)
-{
-    std::string small(text);
-    std::ranges::transform(small, small.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return small;
-}
-
 /// The words of a head before its last one, and the last one.
 std::pair<std::string, std::string> split_head(std::string_view head)
 {
     head = head.substr(0, head.find_last_not_of(kBetweenWords) + 1);
     const std::size_t unit = head.find_last_of(kBetweenWords) + 1;
     const std::size_t end = head.substr(0, unit).find_last_not_of(kBetweenWords) + 1;
-    return {in_small_letters(head.substr(0, end)), in_small_letters(head.substr(unit))};
+    return {lower_case(head.substr(0, end)), lower_case(head.substr(unit))};
 }
 
 /// Two cells or more of digits, dates and times.
@@ -40,6 +32,11 @@ bool is_of_numbers(std::string_view line)
            line.find_first_of(kSeparators) != std::string_view::npos;
 }
 
+bool is_one_of(std::span<const MeasuredUnit> units, std::string_view name)
+{
+    return std::ranges::count(units, name, &MeasuredUnit::name) > 0;
+}
+
 bool is_of_units(std::string_view line)
 {
     bool length = false, force = false;
@@ -48,8 +45,8 @@ bool is_of_units(std::string_view line)
         std::string_view cell = trimmed(line.substr(at, end - at));
         if (cell.size() > 1 && cell.front() == '"') cell = cell.substr(1, cell.size() - 2);
         const auto [words, unit] = split_head(cell);
-        length = length || (words.empty() && (unit == "mm" || unit == "cm" || unit == "m"));
-        force = force || (words.empty() && (unit == "kn" || unit == "n" || unit == "mn"));
+        length = length || (words.empty() && is_one_of(kLengthUnits, unit));
+        force = force || (words.empty() && is_one_of(kForceUnits, unit));
         at = end + 1;
     }
     return length && force;
@@ -96,8 +93,7 @@ MeasuredTable measured_table(const std::string& path, std::string text)
 {
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
         throw ConfigError(path, 0, "", "is text in UTF-16; save it as UTF-8");
-    if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
-    if (text.find('\n') == std::string::npos) std::ranges::replace(text, '\r', '\n');
+    text = plain_text(std::move(text));
     MeasuredTable table;
     const std::vector<Line> lines = lines_before_numbers(path, text);
     const bool units = lines.size() > 1 && is_of_units(lines.back().text) &&

@@ -12,6 +12,9 @@ namespace app {
 /// The text without blanks, tabs and carriage returns at both ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
+/// The text with its ASCII letters in lower case.
+[[nodiscard]] std::string lower_case(std::string_view text);
+
 /// The parts of the text between occurrences of `by`, trimmed; empty parts are kept.
 [[nodiscard]] std::vector<std::string_view> split(std::string_view text, std::string_view by);
 

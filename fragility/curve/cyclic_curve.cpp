@@ -191,6 +191,7 @@ double amplitude(const Cycle& c)
 
 std::optional<double> equivalent_damping(const Cycle& c)
 {
+    if (!c.closed) return std::nullopt; // half a loop is no loop
     const double fd =
         c.force_at_plus * c.displacement_plus + c.force_at_minus * c.displacement_minus;
     if (!(fd > 0.0)) return std::nullopt;

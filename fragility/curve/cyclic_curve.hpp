@@ -49,7 +49,7 @@ struct Cycle {
 
 /// Equivalent viscous damping: energy / (2 pi F d), with F d the mean of both sides (Jacobsen;
 /// Priestley, Calvi and Kowalsky 2007, Eq. 3.15). A cycle of one side counts as half a
-/// symmetric one. Nothing where F d is not positive.
+/// symmetric one. Nothing where the cycle is not closed, or F d is not positive.
 [[nodiscard]] std::optional<double> equivalent_damping(const Cycle& cycle);
 
 /// Slope of the line between both extremes [force / length]; nothing where the cycle has no

@@ -66,7 +66,8 @@ TEST_CASE("pulse: names, missing, double, unknown and impossible values are refu
     CHECK(ground::is_pulse("ricker(peak 1 g, period 1 s)"));
     CHECK_FALSE(ground::is_pulse("ricker.txt"));
     CHECK_FALSE(ground::is_pulse("walls (2).at2"));
-    CHECK_THROWS_WITH(ground::pulse("step(peak 1 g)"), Contains("is no pulse; use half_sine"));
+    CHECK_THROWS_WITH(ground::pulse("step(peak 1 g)"),
+                      Contains("is no pulse; these are half_sine"));
     CHECK_THROWS_WITH(ground::pulse("half_sine(peak 1 g)"), Contains("missing duration"));
     CHECK_THROWS_WITH(ground::pulse("half_sine(peak 1 g, peak 1 g, duration 1 s)"),
                       Contains("unknown or given twice"));

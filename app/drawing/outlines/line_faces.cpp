@@ -97,7 +97,7 @@ void cut_crossing_lines(RawDrawing& drawing, double snap)
     }
     if (crossings > 0)
         drawing.notes.push_back(counted(crossings / 2, "crossing", "crossings") +
-                                " of lines: each of both was cut there.");
+                                " of two lines: both were cut there.");
 }
 
 LineNetwork connected(const RawDrawing& drawing, double snap)

@@ -357,7 +357,7 @@ TEST_CASE("dxf drawing: joints drawn through each other are cut where they cross
     CHECK(drawing.blocks.size() == 9);
     CHECK(area(drawing) == Approx(9.0));
     CHECK(scenes::common_sides(drawing) == 12);
-    CHECK(scenes::notes(drawing, "4 crossings of lines"));
+    CHECK(scenes::notes(drawing, "4 crossings of two lines: both were cut there."));
 }
 
 TEST_CASE("dxf drawing: arcs are straight pieces within half of wall.snap, the same from both "

@@ -136,14 +136,14 @@ TEST_CASE("compare: cycles of a measured loop have the work and damping of their
         for (const double a : {2e-3, 4e-3})
             for (const double to : {a, -a, a, -a}) go(to);
         go(0.0);
+        CHECK(app::targets_along(c).empty()); // only of measured paths
+        c.measured = true;
         const auto cycles = app::compared_cycles(c);
         REQUIRE(cycles.size() == 4);
         CHECK(cycles[1].energy == Approx(120.0).epsilon(0.01));
         CHECK(cycles[3].energy == Approx(280.0).epsilon(0.01));
         CHECK(fragility::equivalent_damping(cycles[3]).value() ==
               Approx(2.0 / 3.14159265 * 3.5 / 4.0).epsilon(0.02));
-        CHECK(app::targets_along(c).empty()); // only of measured paths
-        c.measured = true;
         const std::string targets = app::targets_along(c);
         CHECK(std::ranges::count(targets, ',') == 8);
         if (jitter == 0.0) CHECK(targets == "load.targets = 2, -2, 2, -2, 4, -4, 4, -4, 0 mm");
