@@ -163,6 +163,8 @@ TEST_CASE("shake command: bad input is refused with its place and a remedy", "[a
          {"[load]\nvertical_stress = 0 MPa\n[shaking]\nscale = 0\nrecords = half_sine(peak 0.3 "
           "g, duration 0.1 s)\n",
           "shaking.scale: "},
+         {"[load]\nvertical_stress = 0 MPa\n[shaking]\nrecords = step(peak 0.3 g)\n",
+          "\"step(peak 0.3 g)\" is neither a file nor a motion by formula"},
          {"[load]\nvertical_stress = 0 MPa\n[shaking]\nrecords = not_there.at2\n",
           "not_there.at2"}}));
     const ShakeFolder folder;

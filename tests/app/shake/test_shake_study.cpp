@@ -186,6 +186,14 @@ void check_drift_pictures(const app::StoredHistories& read)
     CHECK(drift_pictures(read, [](app::StoredHistory& h) { h.uplift = 0.5; }) == as_is);
     const auto moved = drift_pictures(read, [](app::StoredHistory& h) { h.max_drift *= 0.1; });
     for (std::size_t i = 0; i < as_is.size(); ++i) CHECK(moved[i] != as_is[i]);
+    // the line of a steep cloud ends where its drifts do, and draws no axis beyond them
+    const auto steep = drift_pictures(read, [](app::StoredHistory& h) {
+        const double scatter = 1.0 + static_cast<double>(h.record);
+        h.fell = false;
+        h.max_drift = h.intensity < 2 ? 1e-9 : (h.intensity < 3 ? 0.002 : 0.02) * scatter;
+    });
+    CHECK_THAT(steep.back(), Contains("median, fallen walls") && Contains(">0.01<"));
+    CHECK_THAT(steep.back(), !Contains(">0.001<")); // [%], below the least that is told apart
 }
 
 } // namespace
