@@ -402,9 +402,10 @@ TEST_CASE("dxf drawing: arcs are straight pieces within half of wall.snap, the s
         return "0\nARC\n8\n0\n10\n0\n20\n0\n40\n" + std::to_string(radius) + "\n50\n" +
                std::to_string(from) + "\n51\n" + std::to_string(to) + "\n";
     };
+    const std::string from_behind = arc(r, 90, 180) + "230\n-1\n"; // x to the left
     const app::Drawing lines =
         drawing_of("w.dxf",
-                   dxf_text(arc(1.0, 0, 90) + arc(r, 0, 90) + dxf_line(1, 0, r, 0) +
+                   dxf_text(arc(1.0, 0, 90) + from_behind + dxf_line(1, 0, r, 0) +
                             dxf_line(c, c, r * c, r * c) + dxf_line(0, 1, 0, r)),
                    metres);
     CHECK(lines.blocks.size() == 2);
