@@ -20,7 +20,8 @@ struct Csv {
     char separator = ',';
 };
 
-/// Without a byte order mark; lines that end in CR alone, as those of old spreadsheets, end in LF.
+/// The text without a byte order mark; lines that end in CR alone, as those of old
+/// spreadsheets, end in LF.
 [[nodiscard]] std::string plain_text(std::string text);
 
 /// Cells may be in double quotes, with "" for a quote and line breaks inside. Lines end in LF
