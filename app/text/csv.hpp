@@ -24,14 +24,12 @@ struct Csv {
 /// spreadsheets, end in LF.
 [[nodiscard]] std::string plain_text(std::string text);
 
-/// Cells may be in double quotes, with "" for a quote and line breaks inside. Lines end in LF
-/// or CRLF; rows of empty cells, a last column of empty cells and a byte order mark are passed
-/// over. The separator is the one
-/// that a first line "sep=;" names, or the most frequent of comma, semicolon and tab in the
-/// head.
+/// Cells may be in double quotes, with "" for a quote and line breaks inside. Lines end in LF,
+/// CRLF or CR; rows of empty cells, a last column of empty cells and a byte order mark are
+/// passed over. The separator is the one that a first line "sep=;" names, or the most frequent
+/// of comma, semicolon and tab in the head.
 /// @throws ConfigError naming the line: no head, columns without or with equal names, too few
-/// or too
-/// many cells, a quote that is not closed, or text behind it
+/// or too many cells, a quote that is not closed, or text behind it
 [[nodiscard]] Csv parse_csv(const std::string& path, std::string_view text);
 
 /// The column of this name: "drift", or with its unit "drift [%]".
