@@ -72,9 +72,9 @@ TestCurve read_test_curve(const std::string& path)
         measured_table(path, read_bytes(path, kMost, "is larger than 64 MiB",
                                         "give a table with displacement_mm,force_kN"));
     const Csv& csv = table.csv;
-    const MeasuredColumn u = measured_column(csv, table.line, "displacement", kLengthUnits,
+    const MeasuredColumn u = measured_column(csv, table.line, "displacement", kMeasuredLengths,
                                              "mm, cm or m"),
-                         f = measured_column(csv, table.line, "force", kForceUnits,
+                         f = measured_column(csv, table.line, "force", kMeasuredForces,
                                              "kN, N or MN");
     TestCurve curve;
     curve.name = std::filesystem::path(path).stem().string();

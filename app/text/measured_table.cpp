@@ -45,8 +45,8 @@ bool is_of_units(std::string_view line)
         std::string_view cell = trimmed(line.substr(at, end - at));
         if (cell.size() > 1 && cell.front() == '"') cell = cell.substr(1, cell.size() - 2);
         const auto [words, unit] = split_head(cell);
-        length = length || (words.empty() && is_one_of(kLengthUnits, unit));
-        force = force || (words.empty() && is_one_of(kForceUnits, unit));
+        length = length || (words.empty() && is_one_of(kMeasuredLengths, unit));
+        force = force || (words.empty() && is_one_of(kMeasuredForces, unit));
         at = end + 1;
     }
     return length && force;

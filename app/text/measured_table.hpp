@@ -15,10 +15,10 @@ struct MeasuredUnit {
     std::string_view name;
     double si; ///< its value in SI units
 };
-inline constexpr std::array kLengthUnits = {MeasuredUnit{"mm", 1e-3}, MeasuredUnit{"cm", 1e-2},
-                                            MeasuredUnit{"m", 1.0}};
-inline constexpr std::array kForceUnits = {MeasuredUnit{"kn", 1e3}, MeasuredUnit{"n", 1.0},
-                                           MeasuredUnit{"mn", 1e6}};
+inline constexpr std::array kMeasuredLengths = {
+    MeasuredUnit{"mm", 1e-3}, MeasuredUnit{"cm", 1e-2}, MeasuredUnit{"m", 1.0}};
+inline constexpr std::array kMeasuredForces = {MeasuredUnit{"kn", 1e3}, MeasuredUnit{"n", 1.0},
+                                               MeasuredUnit{"mn", 1e6}};
 
 struct MeasuredTable {
     Csv csv;      ///< units stand behind the names of its head
