@@ -95,8 +95,7 @@ std::string study_notes(const PreparedStudy& ready, const Verb* verb)
     const std::string material = material_text(study.source);
     if (reads(*verb, *find_key("wall.material")) && !material.empty())
         notes += "note: the wall is of " + material + ". Sources: drystone help materials\n";
-    if (reads(*verb, *find_key("joint.closure")))
-        notes += joint_law_notes(study, study.parameters, study.source);
+    if (reads(*verb, *find_key("joint.closure"))) notes += joint_law_notes(study, study.source);
     if (!study.load.scaled.empty())
         notes +=
             "note: load.protocol_scale: the protocol goes to " +

@@ -75,7 +75,7 @@ std::set<int> used_units(const Study& study, const dem::Model& model)
 std::vector<dem::Region> needed_cracks(const Study& study)
 {
     const Study s = coarse_study(study);
-    const dem::Model model = model_of({s, layout_of(s)});
+    const dem::Model model = model_of({s, layout_of(s, s.source)});
     const std::set<int> used = used_units(s, model);
     std::map<int, dem::Region> whole; // by unit
     for (const dem::Block& b : model.layout.blocks) {

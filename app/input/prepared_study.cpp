@@ -17,11 +17,11 @@ namespace app {
 namespace {
 
 /// Only openings make a wall in courses that cannot be laid.
-dem::Layout laid_out(const Study& study)
+dem::Layout laid_out(const Masonry& masonry, const StudyFile& source)
 {
-    const bool openings = !study.wall.openings.empty();
-    return read_at(study.source, openings ? "wall.openings" : geometry_key(study.geometry),
-                   [&] { return layout_of(study); });
+    const bool openings = !masonry.wall.openings.empty();
+    return read_at(source, openings ? "wall.openings" : geometry_key(masonry.geometry),
+                   [&] { return layout_of(masonry, source); });
 }
 
 void find_needed_cracks(PreparedStudy& ready)
@@ -30,7 +30,7 @@ void find_needed_cracks(PreparedStudy& ready)
     const auto boxes = read_at(ready.study.source, "unit.cracks_where",
                                [&] { return needed_cracks(ready.study); });
     put_cracks(boxes, ready.study);
-    ready.layout = laid_out(ready.study);
+    ready.layout = laid_out(ready.study, ready.study.source);
 }
 
 } // namespace
@@ -39,7 +39,7 @@ PreparedStudy lay_again(Study study)
 {
     grow_rubble(study);
     if (!is_drawn(study.geometry)) check_pieces_of_units(study, study.source);
-    dem::Layout layout = laid_out(study);
+    dem::Layout layout = laid_out(study, study.source);
     check_blocks(study, study.source, layout);
     if (!is_drawn(study.geometry) && study.wall.base == dem::Base::fixed && !study.beam.present)
         require_joints(study.geometry, study.source, layout);

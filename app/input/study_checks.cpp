@@ -71,8 +71,7 @@ void check_length(const Masonry& masonry, const StudyFile& source)
 
 /// Pieces that share the stiffness of their unit with cracks take a larger Poisson's ratio than
 /// it has.
-void check_poisson(const Masonry& masonry, const Parameters& parameters,
-                   const StudyFile& source)
+void check_poisson(const Masonry& masonry, const StudyFile& source)
 {
     if (!any_pattern(masonry, source, dem::shares_stiffness)) return;
     const auto refuse_ratio = [&](std::string_view key, const dem::Elastic& stone,
@@ -85,7 +84,7 @@ void check_poisson(const Masonry& masonry, const Parameters& parameters,
                    ", 0.5 (1 - 1 / unit.crack_rigidity), where unit.cracks divides units into "
                    "pieces with cracks on all sides");
     };
-    refuse_ratio("stone.poisson_ratio", parameters.stone, "");
+    refuse_ratio("stone.poisson_ratio", masonry.parameters.stone, "");
     for (std::size_t k = 0; k < masonry.geometry.stones.size(); ++k)
         if (masonry.geometry.layers[k] != "lintel")
             refuse_ratio("wall.layer_stones", masonry.geometry.stones[k],
@@ -275,11 +274,11 @@ void check_relations(const Study& study)
 {
     check_residuals(study.parameters.unit, study.source);
     check_closed_stiffness(study.parameters.joint, study.load, study.source);
-    check_mixed_modes(study, study.parameters, study.solver, study.source);
+    check_mixed_modes(study, study.solver, study.source);
     check_bond(study, study.source);
     check_length(study, study.source);
     check_zones(study.discretisation, study.source);
-    check_poisson(study, study.parameters, study.source);
+    check_poisson(study, study.source);
     check_pattern(study, study.load, study.parameters, study.source);
     check_load(study, study.load, study.source);
     check_pressed(study.parameters.joint, study.load, study.source);

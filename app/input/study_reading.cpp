@@ -102,7 +102,7 @@ Study read_study(const StudyFile& file, Purpose purpose)
     check_cycles(study.load, study.source);
     study.wall.toe_at_left = push_way(study.load).direction < 0;
     read_geometry(study);
-    check_stiffness(study, study.parameters, study.load, study.source);
+    check_stiffness(study, study.load, study.source);
     derive(study);
     if (purpose == Purpose::drawing) leave_out_unfit_height(study);
     check_relations(study);
@@ -204,8 +204,7 @@ std::string effective_configuration(const Study& study)
         if (key.name == "load.max_displacement" && !study.load.scaled.empty())
             mark =
                 "ultimate displacement of the mean wall pushed one way: " + study.load.scaled;
-        if (fitted)
-            mark += ", fitted: residuals " + fit_residuals(study.wall, study.parameters);
+        if (fitted) mark += ", fitted: residuals " + fit_residuals(study);
         mark += cut_text(key, study.random, mark.empty());
         if (!mark.empty()) line.resize(std::max<std::size_t>(line.size() + 2, 56), ' ');
         text += line + (mark.empty() ? "" : "# ") + mark + "\n";

@@ -234,9 +234,10 @@ void add_beyond_limits(const dem::Beam& beam, bool slides, double peak, HandChec
                2.0 * *h.rocking_limit, h.remarks);
 }
 
-HandChecks limits_of(const Masonry& masonry, const Parameters& p,
-                     const std::vector<RandomInput>& random, const PushedWall& w)
+HandChecks limits_of(const Masonry& masonry, const std::vector<RandomInput>& random,
+                     const PushedWall& w)
 {
+    const Parameters& p = masonry.parameters;
     dem::Loads loads = w.loads;
     loads.vertical_stress = w.vertical_stress;
     const dem::RigidWall rigid =
@@ -270,7 +271,7 @@ HandChecks limits_of(const Masonry& masonry, const Parameters& p,
 HandChecks hand_checks(const Study& study, const dem::Layout& layout, const PushedWall& w)
 {
     const bool closed_form = layout.coursed && !layout.mortar && study.wall.openings.empty();
-    HandChecks h = closed_form ? limits_of(study, study.parameters, study.random, w)
+    HandChecks h = closed_form ? limits_of(study, study.random, w)
                                : loads_alone(study.parameters.stone, study.beam, w, layout);
     if (!dem::failed(w.result.outcome))
         h.toe_stress = dem::toe_stress(w.result.at_end, study.wall.base);

@@ -15,7 +15,7 @@ namespace {
 bool is_single(const std::vector<double>& values) { return values.size() == 1; }
 
 /// Sets the values of joint or crack number `id`.
-void set_values(const std::vector<RandomInput>& random, const WallDraw& draw, Varies varies,
+void set_values(std::span<const RandomInput> random, const WallDraw& draw, Varies varies,
                 std::size_t id, Parameters& p)
 {
     for (std::size_t i = 0; i < random.size(); ++i)
@@ -23,7 +23,7 @@ void set_values(const std::vector<RandomInput>& random, const WallDraw& draw, Va
             random[i].place(p) = draw.values[i][id];
 }
 
-bool any_spatial(const std::vector<RandomInput>& random, const WallDraw& draw, Varies varies)
+bool any_spatial(std::span<const RandomInput> random, const WallDraw& draw, Varies varies)
 {
     for (std::size_t i = 0; i < draw.values.size(); ++i)
         if (random[i].varies == varies && !is_single(draw.values[i])) return true;
@@ -79,28 +79,28 @@ WallDraw checked_draw(std::span<const RandomInput> inputs, std::span<const int> 
     return draw;
 }
 
-dem::WallMaterials wall_materials(const Study& study, const dem::Layout& layout, int level,
+dem::WallMaterials wall_materials(const Masonry& masonry, std::span<const RandomInput> random,
+                                  StressLevel at, const dem::Layout& layout,
                                   const WallDraw& draw)
 {
-    const double h = study.wall.course_height;
-    const StressLevel at = stress_level(study.load, level);
-    Parameters p = study.parameters;
+    const double h = masonry.wall.course_height;
+    Parameters p = masonry.parameters;
     for (std::size_t i = 0; i < draw.values.size(); ++i)
-        if (is_single(draw.values[i])) study.random[i].place(p) = draw.values[i].front();
-    for (const ParameterRule& rule : study.rules) rule.apply(p, h);
+        if (is_single(draw.values[i])) random[i].place(p) = draw.values[i].front();
+    for (const ParameterRule& rule : masonry.rules) rule.apply(p, h);
     dem::WallMaterials wall = materials(p, h, at, layout);
     // Keys of one joint say nothing about cracks.
     const auto own = [&](Varies varies, std::size_t id) {
         Parameters of = p;
-        set_values(study.random, draw, varies, id, of);
-        for (const ParameterRule& rule : study.rules)
+        set_values(random, draw, varies, id, of);
+        for (const ParameterRule& rule : masonry.rules)
             if (rule.varies == varies) rule.apply(of, h);
         return of;
     };
-    if (any_spatial(study.random, draw, Varies::by_joint))
+    if (any_spatial(random, draw, Varies::by_joint))
         for (std::size_t k = 0; k < wall.joints.size(); ++k)
             wall.joints[k] = joint_material(own(Varies::by_joint, k), h, at);
-    if (any_spatial(study.random, draw, Varies::by_crack))
+    if (any_spatial(random, draw, Varies::by_crack))
         for (std::size_t k = 0; k < wall.cracks.size(); ++k)
             wall.cracks[k] =
                 crack_material(own(Varies::by_crack, k), h, at, dem::own_stiffness(layout, k));

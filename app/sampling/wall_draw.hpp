@@ -1,6 +1,7 @@
 #pragma once
 /// The random values of one wall, and the wall that they make.
 
+#include "app/input/study/parameters.hpp"
 #include "app/input/study/random_input.hpp"
 #include "app/input/study/uq_input.hpp"
 #include "dem/scene/layout.hpp"
@@ -10,7 +11,7 @@
 
 namespace app {
 
-struct Study;
+struct Masonry;
 
 /// values[i] belong to study.random[i], in SI: one, or one per joint ID or crack ID.
 struct WallDraw {
@@ -46,8 +47,9 @@ struct WantedWall {
 /// recomputed for every wall or joint. Base and beam joints follow values drawn per wall, and
 /// the mean of values drawn per joint.
 /// @param draw without values: the numbers of the study
-/// @param level index in study.load.vertical_stress
-[[nodiscard]] dem::WallMaterials wall_materials(const Study& study, const dem::Layout& layout,
-                                                int level, const WallDraw& draw);
+[[nodiscard]] dem::WallMaterials wall_materials(const Masonry& masonry,
+                                                std::span<const RandomInput> random,
+                                                StressLevel at, const dem::Layout& layout,
+                                                const WallDraw& draw);
 
 } // namespace app

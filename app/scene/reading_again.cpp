@@ -40,16 +40,15 @@ std::string layer_stones_text(const Masonry& masonry)
 }
 
 /// Keys of the study that are refused beside a drawing: "wall.length, wall.courses".
-std::string refused_keys(const Study& study)
+std::string refused_keys(Study drawn)
 {
-    Study drawn = study;
     drawn.geometry.file = "scene.dxf";
     drawn.geometry.outlines.clear();
     drawn.geometry.openings.clear();
     drawn.geometry.rubble = false;
     std::string text;
     for (const Key& key : study_keys()) {
-        const Entry* const entry = find_entry(study.source, key.name);
+        const Entry* const entry = find_entry(drawn.source, key.name);
         if (entry == nullptr || entry->preset) continue;
         const bool refused = key.used.refused && !is_used(key, drawn);
         if (refused || key.name == "wall.outlines")

@@ -54,11 +54,10 @@ std::string count_text(const dem::Discretisation& discretisation, const dem::Lay
                    "contact points");
 }
 
-std::string size_text(const Masonry& masonry, const Parameters& parameters,
-                      const LoadInput& load, const dem::Layout& layout)
+std::string size_text(const Masonry& masonry, const LoadInput& load, const dem::Layout& layout)
 {
     const dem::Weights w =
-        dem::weights_of(layout, parameters.stone, masonry.beam.material, load.gravity);
+        dem::weights_of(layout, masonry.parameters.stone, masonry.beam.material, load.gravity);
     return number(wall_length(masonry), 4) + " m long, " + number(layout.height, 4) +
            " m high, " + number(layout.thickness, 4) + " m thick; " + number(w.area, 4) +
            " m2 of stone, " + fixed(w.masonry * 1e-3, 2) + " kN";
@@ -153,7 +152,7 @@ int scene_command(const Command& command)
         std::cerr << "note: load.height: " << study.load.unfit_height
                   << ". The wall is drawn; push and study refuse it.\n";
     const std::string counts = count_text(study.discretisation, layout, units);
-    const std::string sizes = size_text(study, study.parameters, study.load, layout);
+    const std::string sizes = size_text(study, study.load, layout);
     const dem::BondIndices indices = dem::bond_indices(whole);
     const double unit = study.geometry.length_unit;
     write_results(

@@ -115,9 +115,9 @@ std::vector<ServedColumn> physical_columns(const Shared& shared)
 constexpr double kFarthest = 8.2;
 
 /// The same model over standard normal coordinates.
-ServedModel normal_model(const Study& study, const Shared& shared, const ServedModel& physical)
+ServedModel normal_model(const StudyFile& source, const SamplePlan& plan,
+                         const ServedModel& physical)
 {
-    const SamplePlan plan = any_wall_plan(study, shared.layout);
     ServedModel model;
     model.name = physical.name + "_normal";
     model.outputs = physical.outputs;
@@ -127,7 +127,7 @@ ServedModel normal_model(const Study& study, const Shared& shared, const ServedM
         for (const int column : plan.values.columns[i])
             model.inputs[column].meaning =
                 "standard normal coordinate of " + plan.inputs[i].key;
-    model.evaluate = [to_physical = wall_map(study.source, plan),
+    model.evaluate = [to_physical = wall_map(source, plan),
                       at = physical.evaluate](std::span<const double> z) {
         for (std::size_t i = 0; i < z.size(); ++i)
             if (!(std::abs(z[i]) <= kFarthest))
@@ -191,7 +191,9 @@ std::vector<ServedModel> served_models(const ServedStudy& served, const std::str
             return answer(
                 *shared, shared->push({level, checked_draw(shared->inputs, shared->sites, x)}));
         };
-        if (served.distributions) models.push_back(normal_model(study, *shared, model));
+        if (served.distributions)
+            models.push_back(
+                normal_model(study.source, any_wall_plan(study, shared->layout), model));
         models.push_back(std::move(model));
     }
     return models;

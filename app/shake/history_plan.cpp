@@ -65,7 +65,7 @@ std::string name_in_line(const std::string& name)
 HistoryPlan history_plan(const PreparedStudy& ready)
 {
     const Study& study = ready.study;
-    check_shaken_study(study, study.parameters, study.solver, study.shaking, study.source);
+    check_shaken_study(study, study.solver, study.shaking, study.source);
     if (study.uq.stop != kNoStop)
         throw error_at(study.source, "uq.stop",
                        "a study of walls that are shaken has no such rule; remove it, and give "

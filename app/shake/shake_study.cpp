@@ -104,7 +104,9 @@ class HistoryRuns {
         dem::HistoryInput in;
         try {
             in.materials =
-                wall_materials(moving_, model_.layout, static_cast<int>(key.level), begun.draw);
+                wall_materials(moving_, moving_.random,
+                               stress_level(moving_.load, static_cast<int>(key.level)),
+                               model_.layout, begun.draw);
             dem::check(model_, in.materials);
         } catch (const std::invalid_argument& bad) {
             begun.history.no_wall = bad.what();

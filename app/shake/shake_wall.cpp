@@ -14,8 +14,8 @@ namespace app {
 
 PreparedStudy shaken_study(PreparedStudy ready, int sample)
 {
-    check_shaken_study(ready.study, ready.study.parameters, ready.study.solver,
-                       ready.study.shaking, ready.study.source);
+    check_shaken_study(ready.study, ready.study.solver, ready.study.shaking,
+                       ready.study.source);
     if (has_layouts(ready.study.geometry))
         ready = in_layout(ready.study,
                           layout_seed(ready.study, static_cast<std::uint32_t>(sample)));
@@ -30,8 +30,8 @@ void shake_wall(const PreparedStudy& ready, const WantedWall& wall,
     const Study& study = ready.study;
     const Study moving = moving_study(study);
     const dem::Model model = model_of({moving, ready.layout});
-    const dem::WallMaterials materials =
-        wall_materials(moving, model.layout, wall.level, wall.draw);
+    const dem::WallMaterials materials = wall_materials(
+        moving, moving.random, stress_level(moving.load, wall.level), model.layout, wall.draw);
     std::vector<ShakenWall> walls(motions.size());
     std::vector<double> shares(motions.size(), 0.0); // that are done
     dem::ShakenEnsemble all;

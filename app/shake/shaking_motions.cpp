@@ -146,9 +146,8 @@ dem::ShakePlan shake_plan(const LoadInput& load, const ShakingInput& shaking,
     return plan;
 }
 
-void check_shaken_study(const Masonry& masonry, const Parameters& parameters,
-                        const dem::SolverOptions& solver, const ShakingInput& shaking,
-                        const StudyFile& source)
+void check_shaken_study(const Masonry& masonry, const dem::SolverOptions& solver,
+                        const ShakingInput& shaking, const StudyFile& source)
 {
     if (is_given(source, "solver.kinematics") && solver.kinematics == dem::Kinematics::small)
         throw error_at(source, "solver.kinematics",
@@ -158,7 +157,7 @@ void check_shaken_study(const Masonry& masonry, const Parameters& parameters,
         throw error_at(source, "wall.toe",
                        "is held sideways, and the blocks of a wall that is shaken are held "
                        "altogether or not at all; write toe = free");
-    if (shaking.contact_damping > 0.0 && closes(parameters.joint))
+    if (shaking.contact_damping > 0.0 && closes(masonry.parameters.joint))
         throw error_at(source, "shaking.contact_damping",
                        "joints that close have no dashpots, they lose energy by "
                        "joint.closure_loss; write 0, or remove joint.closure");

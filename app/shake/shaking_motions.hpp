@@ -59,9 +59,8 @@ struct ShakingMotion {
                                         const ShakingMotion& motion);
 
 /// Refuses small displacements, and dashpots in joints that close. @throws ConfigError
-void check_shaken_study(const Masonry& masonry, const Parameters& parameters,
-                        const dem::SolverOptions& solver, const ShakingInput& shaking,
-                        const StudyFile& source);
+void check_shaken_study(const Masonry& masonry, const dem::SolverOptions& solver,
+                        const ShakingInput& shaking, const StudyFile& source);
 
 /// The study whose model is shaken: the ground drives it, and its beam is free.
 [[nodiscard]] Study moving_study(Study study);

@@ -77,7 +77,8 @@ Answer push_answer(const app::Study& study, const dem::SolverOptions& options,
 {
     const double start = dem::thread_seconds();
     const dem::Model model = app::model_of(app::prepare(study));
-    const dem::WallMaterials materials = app::wall_materials(study, model.layout, 0, {});
+    const dem::WallMaterials materials = app::wall_materials(
+        study, study.random, app::stress_level(study.load, 0), model.layout, {});
     Answer a;
     try {
         dem::PushResult result =
@@ -94,7 +95,8 @@ Answer push_answer(const app::Study& study, const dem::SolverOptions& options,
 WallFacts facts_of(const app::Study& study)
 {
     const dem::Model model = app::model_of(app::prepare(study));
-    const dem::WallMaterials w = app::wall_materials(study, model.layout, 0, {});
+    const dem::WallMaterials w = app::wall_materials(
+        study, study.random, app::stress_level(study.load, 0), model.layout, {});
     return {w.base_joint.kn, dem::vertical_load(model, w)};
 }
 

@@ -243,7 +243,9 @@ bool is_accepted(const AccuracyScene& scene)
     try {
         const app::Study study = study_of(scene);
         const dem::Model model = app::model_of(app::prepare(study));
-        dem::check(model, app::wall_materials(study, model.layout, 0, {}));
+        dem::check(model,
+                   app::wall_materials(study, study.random, app::stress_level(study.load, 0),
+                                       model.layout, {}));
         return true;
     } catch (const std::runtime_error&) { // app::ConfigError
         return false;

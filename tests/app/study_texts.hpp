@@ -242,11 +242,13 @@ inline dem::CrackMaterial crack_material(const app::Study& s, int level)
                                app::stress_level(s.load, level));
 }
 
+inline dem::Layout laid(const app::Study& s) { return app::layout_of(s, s.source); }
+
 /// All values as in the study, under its stress level `level`.
 inline dem::WallMaterials materials(const app::Study& s, int level)
 {
     return app::materials(s.parameters, s.wall.course_height, app::stress_level(s.load, level),
-                          app::layout_of(s));
+                          laid(s));
 }
 
 /// Joints that close by one law, fitted to the four wall moduli of the paper.

@@ -135,7 +135,9 @@ DRYSTONE_EXPORT(push) const char* push(const char* text, std::size_t size, int f
         refuse_random(study);
         const dem::Model model = app::model_of(ready);
         dem::PushResult result =
-            dem::push(model, app::wall_materials(study, model.layout, 0, {}),
+            dem::push(model,
+                      app::wall_materials(study, study.random, app::stress_level(study.load, 0),
+                                          model.layout, {}),
                       shown_plan(study, frames), study.solver);
         return result_of(ready, app::read_wall(app::reading_rules(study), study.load,
                                                study.output, 0, std::move(result)));
@@ -163,7 +165,8 @@ const char* walls(const char* text, std::size_t size, int first, int step)
         ensemble.wall = [&](std::size_t i) -> std::optional<dem::WallMaterials> {
             try {
                 dem::WallMaterials materials =
-                    app::wall_materials(study, model.layout, 0, app::draw(plan, 0, mine[i]));
+                    app::wall_materials(study, study.random, app::stress_level(study.load, 0),
+                                        model.layout, app::draw(plan, 0, mine[i]));
                 dem::check(model, materials);
                 return materials;
             } catch (const std::invalid_argument& bad) {

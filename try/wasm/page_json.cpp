@@ -101,17 +101,17 @@ Json scene_json(const app::PreparedStudy& ready)
         if (f.kind == dem::FaceKind::unit_crack) cracks.push_back(point_list({f.from, f.to}));
     const dem::Loads loads = app::loads(study.load, 0);
     const app::PushWay way = app::push_way(study.load);
-    return {{"blocks", blocks},
-            {"cracks", cracks},
-            {"length", layout.length},
-            {"height", layout.height},
-            {"load_height", loads.height},
-            {"farthest_mm", 1e3 * way.farthest},
-            {"direction", way.direction},
-            {"stress_MPa", loads.vertical_stress * 1e-6},
-            {"notes", app::effect_notes(study, kPush) +
-                          app::joint_law_notes(study, study.parameters, study.source)},
-            {"study", app::effective_configuration(study)}};
+    return {
+        {"blocks", blocks},
+        {"cracks", cracks},
+        {"length", layout.length},
+        {"height", layout.height},
+        {"load_height", loads.height},
+        {"farthest_mm", 1e3 * way.farthest},
+        {"direction", way.direction},
+        {"stress_MPa", loads.vertical_stress * 1e-6},
+        {"notes", app::effect_notes(study, kPush) + app::joint_law_notes(study, study.source)},
+        {"study", app::effective_configuration(study)}};
 }
 
 Json moving_scene_json(const dem::Snapshot& wall)

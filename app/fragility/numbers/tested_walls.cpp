@@ -129,12 +129,12 @@ EstimatedFactor estimated_factor(std::span<const TestedWall> walls)
     return e;
 }
 
-std::string unlike_tested(const Masonry& masonry, const Parameters& parameters,
-                          const LoadInput& load, double stress, Answer answer)
+std::string unlike_tested(const Masonry& masonry, const LoadInput& load, double stress,
+                          Answer answer)
 {
     if (is_drawn(masonry.geometry) || masonry.geometry.rubble) return "they are not in courses";
     if (!masonry.geometry.openings.empty()) return "they have openings";
-    if (has_mortar(parameters.joint)) return "their joints are bonded";
+    if (has_mortar(masonry.parameters.joint)) return "their joints are bonded";
     if (!masonry.cracks.in_units) return "their units cannot crack";
     if (push_way(load).direction == 0) return "they are pushed to and fro";
     if (std::string why = outside("their length is", wall_length(masonry), 0.75, 1.25, "m");
@@ -155,7 +155,7 @@ AppliedFactor applied_factor(const Study& study, double stress, Answer answer)
     if (choice.given) return {*choice.given, "given", {}};
     if (!choice.tests) return {};
     fragility::ModelFactor factor = tests_factor(answer, study.solver.damping).factor;
-    std::string unlike = unlike_tested(study, study.parameters, study.load, stress, answer);
+    std::string unlike = unlike_tested(study, study.load, stress, answer);
     if (unlike.empty()) return {factor, "tests", {}};
     factor.median_error = std::hypot(factor.median_error, std::log(factor.median));
     factor.median = 1.0;

@@ -75,7 +75,7 @@ struct AppliedFactor {
 /// where they are. Like them are walls in courses, without openings, of dry joints and units
 /// that can crack, 0.75 to 1.25 m long, loaded 0.80 to 1.40 m above the floor, pushed one way,
 /// under 0.4 to 1.5 MPa (drifts) or 0.12 to 1.5 MPa (forces).
-[[nodiscard]] std::string unlike_tested(const Masonry& masonry, const Parameters& parameters,
-                                        const LoadInput& load, double stress, Answer answer);
+[[nodiscard]] std::string unlike_tested(const Masonry& masonry, const LoadInput& load,
+                                        double stress, Answer answer);
 
 } // namespace app

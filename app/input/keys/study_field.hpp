@@ -56,7 +56,7 @@ template <auto... Path> double& parameter(Parameters& p) { return follow<Path...
 
 template <auto First, auto... Rest> constexpr ParameterPlace place_of()
 {
-    if constexpr (std::is_same_v<decltype(First), Parameters Study::*>) {
+    if constexpr (std::is_same_v<decltype(First), Parameters Masonry::*>) {
         using End = decltype(follow<Rest...>(std::declval<Parameters&>()));
         if constexpr (std::is_same_v<End, double&>) return &parameter<Rest...>;
     }

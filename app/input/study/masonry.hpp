@@ -1,7 +1,8 @@
 #pragma once
 /// The wall of a study: its sizes, what is not built by sizes alone (drawings, rubble,
-/// openings), where its units crack, and the beam on it.
+/// openings), where its units crack, the beam on it, and the materials of all.
 
+#include "app/input/study/parameters.hpp"
 #include "dem/scene/drawn_layout.hpp"
 #include "dem/scene/paper_materials.hpp"
 #include "dem/scene/wall.hpp"
@@ -43,12 +44,14 @@ struct CrackInput {
     bool cut_nothing = false; ///< a drawn wall has no unit that the patterns cut
 };
 
-/// All that stands there.
+/// All that stands there, and of what.
 struct Masonry {
     dem::WallGeometry wall;
     GeometryInput geometry;
     CrackInput cracks;
     dem::Beam beam{.material = {.poisson_ratio = 0.2}}; // choice: concrete
+    Parameters parameters;
+    std::vector<ParameterRule> rules; ///< for parameters that were not given and follow others
 };
 
 } // namespace app

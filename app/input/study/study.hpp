@@ -7,7 +7,6 @@
 #include "app/input/study/load_input.hpp"
 #include "app/input/study/masonry.hpp"
 #include "app/input/study/output_input.hpp"
-#include "app/input/study/parameters.hpp"
 #include "app/input/study/reliability_input.hpp"
 #include "app/input/study/sampling.hpp"
 #include "app/input/study/shaking_input.hpp"
@@ -22,7 +21,6 @@
 namespace app {
 
 struct Study : Masonry, Sampling {
-    Parameters parameters;
     LoadInput load;
     dem::Fidelity fidelity = dem::Fidelity::standard;
     dem::Discretisation discretisation;
@@ -32,7 +30,6 @@ struct Study : Masonry, Sampling {
     ProgramInput program;
     CalibrationInput calibration;
     FragilityInput fragility;
-    std::vector<ParameterRule> rules; ///< for parameters that were not given and follow others
     ShakingInput shaking;
     StudyFile source; ///< what was given
 };

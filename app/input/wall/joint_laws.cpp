@@ -158,13 +158,12 @@ void check_modulus_stress(const StudyFile& source, const JointInput& joint)
                        std::string(kLawInstead));
 }
 
-void check_fit(const Masonry& masonry, const Parameters& parameters, const LoadInput& load,
-               const StudyFile& source)
+void check_fit(const Masonry& masonry, const LoadInput& load, const StudyFile& source)
 {
-    const Parameters p = with_modulus_stress(parameters, load, source);
+    const Parameters p = with_modulus_stress(masonry.parameters, load, source);
     check_modulus_stress(source, p.joint);
     for (const double modulus : p.joint.wall_modulus)
-        check_wall_modulus(masonry.wall, parameters.stone, source, modulus);
+        check_wall_modulus(masonry.wall, masonry.parameters.stone, source, modulus);
     const dem::ClosureFit fit = closure_fit(p, masonry.wall.course_height);
     const bool stiffens = fit.maximum > 0.0 && std::isfinite(fit.maximum);
     if (stiffens && fit.initial_stiffness > 0.0) return;
@@ -175,14 +174,15 @@ void check_fit(const Masonry& masonry, const Parameters& parameters, const LoadI
                    "; write other moduli, " + std::string(kLawInstead));
 }
 
-std::string closure_note(const dem::WallGeometry& wall, const Parameters& parameters)
+std::string closure_note(const Masonry& masonry)
 {
-    if (!is_fitted_closure(parameters.joint)) return "";
-    const dem::Closing& c = parameters.joint.closing;
+    const JointInput& joint = masonry.parameters.joint;
+    if (!is_fitted_closure(joint)) return "";
+    const dem::Closing& c = joint.closing;
     return "note: joint.closure: k_0 = " + number(1e-9 * c.initial_stiffness, 4) +
            " GPa/m and V_m = " + number(1e3 * c.maximum, 4) +
-           " mm, one law fitted to joint.wall_modulus; residuals " +
-           fit_residuals(wall, parameters) + "\n";
+           " mm, one law fitted to joint.wall_modulus; residuals " + fit_residuals(masonry) +
+           "\n";
 }
 
 /// Coulomb's line meets no shear strength at a tension of c / tan(phi).
@@ -201,20 +201,19 @@ std::string lost_tension(std::string_view section, const std::string& of, double
 
 } // namespace
 
-void check_stiffness(const Masonry& masonry, const Parameters& parameters,
-                     const LoadInput& load, const StudyFile& source)
+void check_stiffness(const Masonry& masonry, const LoadInput& load, const StudyFile& source)
 {
-    const JointInput& joint = parameters.joint;
+    const JointInput& joint = masonry.parameters.joint;
     if (closes(joint)) {
         check_levels_differ(load, source);
-        check_closure_given(parameters.joint, source);
-        if (!joint.wall_modulus.empty()) check_fit(masonry, parameters, load, source);
+        check_closure_given(joint, source);
+        if (!joint.wall_modulus.empty()) check_fit(masonry, load, source);
     } else {
-        check_constant_stiffness(parameters.joint, load, source);
+        check_constant_stiffness(joint, load, source);
         for (const double modulus : joint.wall_modulus)
-            check_wall_modulus(masonry.wall, parameters.stone, source, modulus);
+            check_wall_modulus(masonry.wall, masonry.parameters.stone, source, modulus);
         for (const double kn : joint.normal_stiffness)
-            check_not_too_soft(parameters.joint, source, "joint.normal_stiffness", kn);
+            check_not_too_soft(joint, source, "joint.normal_stiffness", kn);
     }
     check_count(load, source, "joint.shear_stiffness", joint.shear_stiffness.size());
 }
@@ -241,10 +240,10 @@ void check_closed_stiffness(const JointInput& joint, const LoadInput& load,
                        " times joint.initial_stiffness, " + quantity_text(most, "GPa/m"));
 }
 
-void check_mixed_modes(const Masonry& masonry, const Parameters& parameters,
-                       const dem::SolverOptions& solver, const StudyFile& source)
+void check_mixed_modes(const Masonry& masonry, const dem::SolverOptions& solver,
+                       const StudyFile& source)
 {
-    const std::string key(mixed_mode_key(parameters, has_cracks(masonry, source)));
+    const std::string key(mixed_mode_key(masonry.parameters, has_cracks(masonry, source)));
     if (key.empty()) return;
     if (solver.law == dem::ContactLaw::uncoupled)
         refuse_law(source, "unit.contact_law",
@@ -261,26 +260,25 @@ bool is_fitted_closure(const JointInput& joint)
     return closes(joint) && !joint.wall_modulus.empty();
 }
 
-std::string fit_residuals(const dem::WallGeometry& wall, const Parameters& parameters)
+std::string fit_residuals(const Masonry& masonry)
 {
     std::string text;
-    for (const double r : closure_fit(parameters, wall.course_height).residuals)
+    for (const double r : closure_fit(masonry.parameters, masonry.wall.course_height).residuals)
         text +=
             (text.empty() ? "" : ", ") + std::string(r < 0.0 ? "" : "+") + fixed(100.0 * r, 2);
     return text + " %";
 }
 
-std::string joint_law_notes(const Masonry& masonry, const Parameters& parameters,
-                            const StudyFile& source)
+std::string joint_law_notes(const Masonry& masonry, const StudyFile& source)
 {
-    const dem::CrackParameters& unit = parameters.unit;
-    const JointInput& joint = parameters.joint;
+    const dem::CrackParameters& unit = masonry.parameters.unit;
+    const JointInput& joint = masonry.parameters.joint;
     constexpr auto kCoulomb = dem::Envelope::coulomb;
-    std::string notes = closure_note(masonry.wall, parameters);
+    std::string notes = closure_note(masonry);
     if (has_cracks(masonry, source) && unit.envelope == kCoulomb && unit.tension_reduces_shear)
         notes += lost_tension("unit", "units", unit.tensile_strength, unit.cohesion,
                               unit.friction_angle);
-    if (has_mortar(parameters.joint) && joint.envelope == kCoulomb)
+    if (has_mortar(joint) && joint.envelope == kCoulomb)
         notes += lost_tension("joint", "mortar", joint.tensile_strength, joint.cohesion,
                               joint.friction_angle);
     return notes;

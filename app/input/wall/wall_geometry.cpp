@@ -297,15 +297,16 @@ dem::Layout whole_units(Masonry masonry, const StudyFile& source)
     return laid_units(masonry, source);
 }
 
-dem::Layout layout_of(const Study& study)
+dem::Layout layout_of(const Masonry& masonry, const StudyFile& source)
 {
-    dem::Layout layout = laid_units(study, study.source);
-    layout.mortar = has_mortar(study.parameters.joint);
-    const bool units_crack = has_cracks(study, study.source);
-    layout.crushing = has_crushing(study.parameters, units_crack);
-    layout.wear = study.parameters.joint.wear_length > 0.0;
-    layout.closure = study.parameters.joint.closure;
-    layout.mixed_mode = !mixed_mode_key(study.parameters, units_crack).empty();
+    dem::Layout layout = laid_units(masonry, source);
+    const JointInput& joint = masonry.parameters.joint;
+    layout.mortar = has_mortar(joint);
+    const bool units_crack = has_cracks(masonry, source);
+    layout.crushing = has_crushing(masonry.parameters, units_crack);
+    layout.wear = joint.wear_length > 0.0;
+    layout.closure = joint.closure;
+    layout.mixed_mode = !mixed_mode_key(masonry.parameters, units_crack).empty();
     return layout;
 }
 

@@ -60,7 +60,7 @@ wall_height(const Masonry& masonry); ///< above the floor, without the beam [m]
 [[nodiscard]] bool is_full_rectangle(const Masonry& masonry);
 
 /// Layout of the wall with its beam. prepare() has it at hand (app/input/prepared_study.hpp).
-[[nodiscard]] dem::Layout layout_of(const Study& study);
+[[nodiscard]] dem::Layout layout_of(const Masonry& masonry, const StudyFile& source);
 
 /// Its blocks and faces, before anything is said of the laws that these follow.
 [[nodiscard]] dem::Layout laid_units(const Masonry& masonry, const StudyFile& source);

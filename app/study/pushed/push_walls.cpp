@@ -34,7 +34,8 @@ void push_walls(const Study& study, const dem::Model& model, const dem::PushPlan
         const int level = wanted->level;
         try {
             dem::WallMaterials materials =
-                wall_materials(study, model.layout, level, wanted->draw);
+                wall_materials(study, study.random, stress_level(study.load, level),
+                               model.layout, wanted->draw);
             dem::check(model, materials);
             const std::lock_guard lock(mutex);
             started.emplace(i, std::move(*wanted));

@@ -282,8 +282,8 @@ TEST_CASE(
     const app::Study study = app::read_study(app::parse_study_text("posterior.ini", posterior));
     CHECK(study.calibration.inputs.empty());
     const std::vector<std::uint32_t> sizes = {10};
-    const app::SamplePlan plan =
-        app::sample_plan(study, study.load, study.source, app::layout_of(study), sizes);
+    const app::SamplePlan plan = app::sample_plan(study, study.load, study.source,
+                                                  app::layout_of(study, study.source), sizes);
     const auto& rows = plan.values.together.rows;
     REQUIRE(rows.size() == 200);
     for (int k = 0; k < 10; ++k) {

@@ -38,10 +38,7 @@ bool has_mixed_law(const dem::JointMaterial& j)
 const std::vector<std::string> kMortar = {"joint.tensile_strength=0.2 MPa",
                                           "joint.cohesion=0.2 MPa"};
 
-std::string notes_of(const app::Study& s)
-{
-    return app::joint_law_notes(s, s.parameters, s.source);
-}
+std::string notes_of(const app::Study& s) { return app::joint_law_notes(s, s.source); }
 
 } // namespace
 
@@ -50,14 +47,14 @@ TEST_CASE(
     "[app][joint_laws]")
 {
     for (const app::Study& s : {read_good(), shipped("paper.ini"), read_good(kMortar)}) {
-        CHECK(app::layout_of(s).closure == dem::Closure::linear);
-        CHECK_FALSE(app::layout_of(s).mixed_mode);
+        CHECK(study_texts::laid(s).closure == dem::Closure::linear);
+        CHECK_FALSE(study_texts::laid(s).mixed_mode);
         const dem::JointMaterial joint = study_texts::joint_material(s, 1);
         CHECK(joint.closing.initial_stiffness == 0.0);
         CHECK(joint.envelope == dem::Envelope::coulomb);
         CHECK(joint.shear_fracture_energy == 0.0);
         CHECK(study_texts::crack_material(s, 1).shear_fracture_energy == 0.0);
-        CHECK(app::joint_law_notes(s, s.parameters, s.source).empty());
+        CHECK(app::joint_law_notes(s, s.source).empty());
     }
 }
 
@@ -69,7 +66,7 @@ TEST_CASE(
     const app::Study s = read_good(
         with(kClosing, {"joint.closure_loss=0.3", "joint.stiffness_factor=2", "wall.base=joint",
                         "beam.interface=joint", "load.vertical_stress=0, 0.77 MPa"}));
-    CHECK(app::layout_of(s).closure == dem::Closure::exponential);
+    CHECK(study_texts::laid(s).closure == dem::Closure::exponential);
     for (const int level : {0, 1}) {
         const double kn = 4.87e9 + s.load.vertical_stress[level] / 0.154e-3;
         const dem::WallMaterials w = study_texts::materials(s, level);
@@ -118,8 +115,8 @@ TEST_CASE("joint laws: the wall moduli of the paper give one law, which serves e
     CHECK(c.initial_stiffness == Approx(4.866e9).epsilon(1e-4));
     CHECK(c.maximum == Approx(0.1537e-3).epsilon(3e-4));
     CHECK(study_texts::joint_material(s, 0).kn == c.initial_stiffness + 0.75e6 / c.maximum);
-    CHECK(app::layout_of(s).closure == dem::Closure::hyperbolic);
-    CHECK(app::joint_law_notes(s, s.parameters, s.source) ==
+    CHECK(study_texts::laid(s).closure == dem::Closure::hyperbolic);
+    CHECK(app::joint_law_notes(s, s.source) ==
           "note: joint.closure: k_0 = 4.866 GPa/m and V_m = 0.1537 mm, one law fitted to "
           "joint.wall_modulus; residuals -0.55, +0.47, +0.24, -0.26 %\n");
     const std::string text = app::effective_configuration(s);
@@ -162,12 +159,12 @@ TEST_CASE(
     CHECK(bond.envelope == dem::Envelope::hyperbolic);
     CHECK(bond.shear_fracture_energy == 100.0);
     for (const char* key : {"unit.envelope=hyperbolic", "unit.shear_fracture_energy=1 N/m"}) {
-        CHECK(app::layout_of(read_good({key})).mixed_mode);
-        CHECK_FALSE(app::layout_of(read_good({key, "wall.unit_cracks=no"})).mixed_mode);
+        CHECK(study_texts::laid(read_good({key})).mixed_mode);
+        CHECK_FALSE(study_texts::laid(read_good({key, "wall.unit_cracks=no"})).mixed_mode);
     }
     for (const char* key : {"joint.envelope=hyperbolic", "joint.shear_fracture_energy=1 N/m"}) {
-        CHECK(app::layout_of(read_good(with(kMortar, {key}))).mixed_mode);
-        CHECK_FALSE(app::layout_of(read_good({key})).mixed_mode);
+        CHECK(study_texts::laid(read_good(with(kMortar, {key}))).mixed_mode);
+        CHECK_FALSE(study_texts::laid(read_good({key})).mixed_mode);
         CHECK_FALSE(has_mixed_law(study_texts::joint_material(read_good({key}), 0)));
     }
 }

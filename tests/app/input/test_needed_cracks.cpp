@@ -39,8 +39,8 @@ TEST_CASE("needed cracks: the toe of a rocking wall, and the same answer as with
           "[app][cracks][slow]")
 {
     const app::Study needed = wall_with("needed");
-    const dem::Layout some = app::layout_of(needed),
-                      all = app::layout_of(wall_with("0 m, 0 m, 9 m, 9 m"));
+    const dem::Layout some = study_texts::laid(needed),
+                      all = study_texts::laid(wall_with("0 m, 0 m, 9 m, 9 m"));
     CHECK(some.n_cracks > 0);
     CHECK(2 * some.n_cracks < all.n_cracks);
     for (const dem::Face& f : some.faces)
@@ -51,10 +51,10 @@ TEST_CASE("needed cracks: the toe of a rocking wall, and the same answer as with
     const app::Study kept = study_texts::read(app::effective_configuration(needed));
     CHECK(kept.cracks.where == needed.cracks.where);
     CHECK(kept.cracks.where.find("needed") == std::string::npos);
-    CHECK(app::layout_of(kept).n_cracks == some.n_cracks);
+    CHECK(study_texts::laid(kept).n_cracks == some.n_cracks);
 }
 
 TEST_CASE("needed cracks: none, where no unit comes near its strength", "[app][cracks]")
 {
-    CHECK(app::layout_of(wall_with("needed", "900 MPa")).n_cracks == 0);
+    CHECK(study_texts::laid(wall_with("needed", "900 MPa")).n_cracks == 0);
 }

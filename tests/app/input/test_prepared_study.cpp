@@ -31,7 +31,8 @@ TEST_CASE("prepared study: reading grows no rubble, preparing does", "[app][prep
     CHECK(read.geometry.units.empty());
     const PreparedStudy ready = prepare(read);
     CHECK_FALSE(ready.study.geometry.units.empty());
-    CHECK(ready.layout.blocks.size() == layout_of(ready.study).blocks.size());
+    CHECK(ready.layout.blocks.size() ==
+          layout_of(ready.study, ready.study.source).blocks.size());
 }
 
 TEST_CASE("prepared study: reading looks for no cracks, and scales no protocol",
@@ -46,7 +47,7 @@ TEST_CASE("prepared study: reading looks for no cracks, and scales no protocol",
     const PreparedStudy ready = prepare(read);
     CHECK(ready.study.cracks.where != "needed");
     CHECK_FALSE(ready.study.load.scaled.empty());
-    CHECK(ready.layout.n_cracks == layout_of(ready.study).n_cracks);
+    CHECK(ready.layout.n_cracks == layout_of(ready.study, ready.study.source).n_cracks);
 }
 
 TEST_CASE("prepared study: another layout is the study with its seed, read anew",

@@ -89,7 +89,7 @@ TEST_CASE("study: every joint and crack ID has the material of the study", "[app
 {
     const app::Study study = read(study_texts::kEverything);
     const dem::WallMaterials all = study_texts::materials(study, 1);
-    const dem::Layout layout = app::layout_of(study);
+    const dem::Layout layout = app::layout_of(study, study.source);
     REQUIRE(static_cast<int>(all.joints.size()) == layout.n_joints);
     REQUIRE(static_cast<int>(all.cracks.size()) == layout.n_cracks);
     CHECK(all.stone.density == 2000.0);

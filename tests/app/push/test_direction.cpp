@@ -40,7 +40,7 @@ TEST_CASE("direction: left mirrors every displacement and the toe that is held",
     const app::Study left = with({"load.direction=left"}, {});
     CHECK(app::push_way(left.load).direction == -1);
     CHECK(app::push_plan(left).targets == std::vector{-1e-3});
-    const dem::Layout layout = layout_of(left);
+    const dem::Layout layout = study_texts::laid(left);
     CHECK(std::ranges::count(layout.blocks, dem::Motion::held_left_corner,
                              &dem::Block::motion) == 1);
     CHECK(layout.blocks.front().motion == dem::Motion::held_left_corner);
@@ -72,9 +72,9 @@ TEST_CASE(
     "direction: both is worked out where the mirrored wall is another one, and nowhere else",
     "[app][direction]")
 {
-    CHECK(app::has_other_way(with(kDoor, {}).load, layout_of(with(kDoor, {}))));
+    CHECK(app::has_other_way(with(kDoor, {}).load, study_texts::laid(with(kDoor, {}))));
     const app::Study symmetric = with({"load.direction=both"}, {});
-    CHECK_FALSE(app::has_other_way(symmetric.load, layout_of(symmetric)));
+    CHECK_FALSE(app::has_other_way(symmetric.load, study_texts::laid(symmetric)));
 }
 
 TEST_CASE("direction: the worse of both is taken number by number, and says which it was",

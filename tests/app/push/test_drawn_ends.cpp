@@ -104,7 +104,7 @@ TEST_CASE(
     "[app][drawn_ends]")
 {
     const app::Study study = wall_of(stack(kFlatFoot, {600, 599.7, 600.3, 599.8, 600}));
-    CHECK(app::layout_of(study).length == Approx(2.0).epsilon(1e-12));
+    CHECK(app::layout_of(study, study.source).length == Approx(2.0).epsilon(1e-12));
     CHECK_FALSE(has_note(study, "The beam lies"));
 }
 

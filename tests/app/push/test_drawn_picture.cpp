@@ -32,7 +32,7 @@ TEST_CASE(
     "[app][push][drawn_picture]")
 {
     const app::Study study = spatial_study();
-    const dem::Layout layout = app::layout_of(study);
+    const dem::Layout layout = app::layout_of(study, study.source);
     app::WallDraw draw;
     draw.values.emplace_back(static_cast<std::size_t>(layout.n_joints), 0.5);
     draw.values.emplace_back(static_cast<std::size_t>(layout.n_cracks), 3.7e6);
@@ -62,5 +62,7 @@ TEST_CASE("drawn picture: a wall with one value for each input has none",
           "[app][push][drawn_picture]")
 {
     const app::Study study = spatial_study();
-    CHECK(app::drawn_picture(study.random, app::layout_of(study), {{{0.5}, {3.7e6}}}).empty());
+    CHECK(app::drawn_picture(study.random, app::layout_of(study, study.source),
+                             {{{0.5}, {3.7e6}}})
+              .empty());
 }

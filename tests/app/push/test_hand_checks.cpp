@@ -34,7 +34,7 @@ app::PushedWall pushed(double peak)
 app::HandChecks checks_of(const Overrides& keys, const app::PushedWall& wall)
 {
     const app::Study study = study_texts::read_good(keys);
-    return app::hand_checks(study, app::layout_of(study), wall);
+    return app::hand_checks(study, app::layout_of(study, study.source), wall);
 }
 
 /// Remarks of the wall in the good study with these keys, one to a line.

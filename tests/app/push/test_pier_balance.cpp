@@ -169,7 +169,7 @@ void check_cuts(const Study& study)
 {
     const Pushed p = pushed(study);
     REQUIRE(p.shots.size() > 100);
-    const dem::Layout layout = layout_of(study);
+    const dem::Layout layout = layout_of(study, study.source);
     const dem::PierProbe probe(layout,
                                dem::piers_of(app::wall_openings(study), wall_extent(study)));
     const std::vector<CutPier> piers = cut_piers(study, layout, probe.piers());

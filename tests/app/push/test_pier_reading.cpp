@@ -171,7 +171,7 @@ TEST_CASE("pier reading: the wall's limit is where the first pier reaches its ow
     CHECK(app::piers_remarks(rules, wall).front().find("pier " + std::to_string(first)) !=
           std::string::npos);
     const std::string picture =
-        app::pier_picture(study, study.load, app::layout_of(study), wall);
+        app::pier_picture(study, study.load, app::layout_of(study, study.source), wall);
     for (const char* const text : {"pier 1", "pier 3", " kN"})
         CHECK(picture.find(text) != std::string::npos);
 }

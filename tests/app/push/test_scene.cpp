@@ -99,7 +99,8 @@ TEST_CASE("scene command: the paper's wall, exported and read again, is the same
     for (const char* drawing : {"scene.dxf", "scene.json"}) {
         INFO(drawing);
         const std::string file = drawn_study(folder.path, drawing);
-        const dem::Layout layout = app::layout_of(study_of(file));
+        const app::Study read = study_of(file);
+        const dem::Layout layout = app::layout_of(read, read.source);
         CHECK(layout.n_joints == 135);
         CHECK(layout.n_cracks == 45);
         CHECK(layout.blocks.size() == 101);
@@ -181,7 +182,8 @@ TEST_CASE("scene command: layers keep their names, and a layer called wall its o
         fs::copy_file(folder.path / drawing, folder.path / fs::path(drawing).filename());
         const app::Study again =
             study_of(drawn_study(folder.path, fs::path(drawing).filename().string()), stone);
-        const dem::Layout a = app::layout_of(study), b = app::layout_of(again);
+        const dem::Layout a = app::layout_of(study, study.source),
+                          b = app::layout_of(again, again.source);
         REQUIRE(a.blocks.size() == b.blocks.size());
         for (std::size_t k = 0; k < a.blocks.size(); ++k)
             CHECK(a.blocks[k].material == b.blocks[k].material);
@@ -204,8 +206,10 @@ TEST_CASE("scene command: lintels, exported and read again, stay whole", "[app][
     const app::Study study = study_of(kWall, window),
                      again = study_of(drawn_study(folder.path, "scene.dxf"),
                                       {"wall.layer_stones=lintel: 15.5 GPa, 0.2, 2300 kg/m3"});
-    CHECK(app::layout_of(again).n_cracks == app::layout_of(study).n_cracks);
-    CHECK(app::layout_of(again).faces.size() == app::layout_of(study).faces.size());
+    CHECK(app::layout_of(again, again.source).n_cracks ==
+          app::layout_of(study, study.source).n_cracks);
+    CHECK(app::layout_of(again, again.source).faces.size() ==
+          app::layout_of(study, study.source).faces.size());
 }
 
 TEST_CASE("scene command: the keys to take out leave a study that reads the drawing",
@@ -259,7 +263,7 @@ TEST_CASE("scene units: a unit that a crack parts is whole again, with its own c
                           [[200, 0], [400, 0], [400, 110], [200, 110], [180, 60]]]})";
     const app::Study study =
         study_of(drawn_study(folder.path, "two.json"), {"load.height=0.21 m"});
-    const dem::Layout layout = app::layout_of(study);
+    const dem::Layout layout = app::layout_of(study, study.source);
     REQUIRE(layout.n_cracks == 2);
     const std::vector<app::DrawnBlock> units =
         app::scene_units(study.geometry, app::whole_units(study, study.source));

@@ -18,7 +18,7 @@ namespace {
 
 std::string summary_of(const app::Study& study, const app::PushedWall& w)
 {
-    return app::summary_json(study, app::layout_of(study), w);
+    return app::summary_json(study, app::layout_of(study, study.source), w);
 }
 
 using app::PushedWall;

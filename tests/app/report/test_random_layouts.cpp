@@ -72,16 +72,19 @@ TEST_CASE("random layouts: each wall is that of its layout pushed alone, to the 
     const std::vector<app::WallRow> rows = rows_of(app::prepare(s), 2);
     REQUIRE(rows.size() == 10);
     const std::vector<std::uint32_t> sizes = {5};
-    const app::SamplePlan plan = sample_plan(s, s.load, s.source, layout_of(s), sizes);
+    const app::SamplePlan plan =
+        sample_plan(s, s.load, s.source, layout_of(s, s.source), sizes);
     for (const app::WallRow& row : rows) {
         const Study own = layouts({"wall.seed=" + std::to_string(11 + row.key.sample % 3)});
         const dem::Model model = app::model_of(app::prepare(own));
         const int level = static_cast<int>(row.key.level);
         const app::WallDraw d = app::draw(plan, level, static_cast<int>(row.key.sample));
-        const app::PushedWall w =
-            app::read_wall(app::reading_rules(own), own.load, own.output, level,
-                           dem::push(model, app::wall_materials(own, model.layout, level, d),
-                                     app::push_plan(own), own.solver));
+        const app::PushedWall w = app::read_wall(
+            app::reading_rules(own), own.load, own.output, level,
+            dem::push(model,
+                      app::wall_materials(own, own.random, app::stress_level(own.load, level),
+                                          model.layout, d),
+                      app::push_plan(own), own.solver));
         CHECK(row.curve.displacement == w.displacement);
         CHECK(row.curve.force == w.force);
     }
@@ -134,7 +137,7 @@ TEST_CASE("random layouts: the page has the stones of each wall that it shows",
         const std::uint32_t sample = listed[film["wall"].get<std::size_t>()]->key.sample;
         const Study own = layouts({"wall.seed=" + std::to_string(11 + sample % 3)});
         CHECK(films["geometries"][film["geometry"].get<std::size_t>()] ==
-              app::wall_geometry(layout_of(own)));
+              app::wall_geometry(layout_of(own, own.source)));
     }
 }
 

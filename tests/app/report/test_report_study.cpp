@@ -38,8 +38,10 @@ TEST_CASE("report configuration: values that follow from drawn ones still follow
     app::WallDraw draw;
     for (const app::RandomInput& input : study.random)
         draw.values.push_back({0.8 * input.mean});
-    const auto a = app::wall_materials(study, layout, 1, draw);
-    const auto b = app::wall_materials(back, layout, 1, draw);
+    const auto a = app::wall_materials(study, study.random, app::stress_level(study.load, 1),
+                                       layout, draw);
+    const auto b =
+        app::wall_materials(back, back.random, app::stress_level(back.load, 1), layout, draw);
     CHECK(a.cracks.front().cohesion == b.cracks.front().cohesion);
     CHECK(a.cracks.front().tan_phi == b.cracks.front().tan_phi);
     CHECK(a.joints.front().ks == b.joints.front().ks);

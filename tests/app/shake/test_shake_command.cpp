@@ -177,12 +177,10 @@ TEST_CASE("shake command: a toe that is held sideways is refused by its key", "[
     app::Study study = app::read_study(app::parse_study_text(
         "study.ini", kWall + "[load]\nvertical_stress = 0 MPa\n[shaking]\nrecords = "
                              "half_sine(peak 0.5 g, duration 0.3 s)\n"));
-    CHECK_NOTHROW(app::check_shaken_study(study, study.parameters, study.solver, study.shaking,
-                                          study.source));
+    CHECK_NOTHROW(app::check_shaken_study(study, study.solver, study.shaking, study.source));
     study.wall.toe = dem::Toe::held;
     study.wall.base = dem::Base::joint;
-    CHECK_THROWS_WITH(app::check_shaken_study(study, study.parameters, study.solver,
-                                              study.shaking, study.source),
+    CHECK_THROWS_WITH(app::check_shaken_study(study, study.solver, study.shaking, study.source),
                       Contains("wall.toe: is held sideways"));
 }
 

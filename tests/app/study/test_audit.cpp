@@ -78,7 +78,8 @@ TEST_CASE("audit: its walls are those of the study pushed alone four times slowe
     const dem::Model model = app::model_of(app::prepare(s));
     const std::vector<std::uint32_t> sizes = {3};
     const app::SamplePlan plan = sample_plan(s, s.load, s.source, model.layout, sizes);
-    const dem::WallMaterials m = app::wall_materials(s, model.layout, 1, app::draw(plan, 1, 0));
+    const dem::WallMaterials m = app::wall_materials(s, s.random, app::stress_level(s.load, 1),
+                                                     model.layout, app::draw(plan, 1, 0));
     const app::PushedWall alone =
         app::read_wall(app::reading_rules(s), s.load, s.output, 1,
                        dem::push(model, m, app::push_plan(s), dem::slower(s.solver, 4.0)));

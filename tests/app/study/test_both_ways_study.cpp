@@ -209,7 +209,7 @@ TEST_CASE("both ways: a symmetric wall is pushed once, and cracks placed for one
           "[app][both_ways_study]")
 {
     const auto both = [](const Study& s) {
-        return app::pushes_both_ways(s.geometry, s.load, s.source, app::layout_of(s));
+        return app::pushes_both_ways(s.geometry, s.load, s.source, app::layout_of(s, s.source));
     };
     CHECK(both(with_door("both")));
     CHECK_FALSE(both(with_door("right")));

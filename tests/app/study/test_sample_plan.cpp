@@ -29,7 +29,7 @@ namespace {
 SamplePlan plan_of(const Study& s, std::vector<std::uint32_t> sizes = {})
 {
     if (sizes.empty()) sizes = {static_cast<std::uint32_t>(s.uq.samples)};
-    return sample_plan(s, s.load, s.source, layout_of(s), sizes);
+    return sample_plan(s, s.load, s.source, layout_of(s, s.source), sizes);
 }
 
 double mean_of(const SamplePlan& plan, std::size_t input, int level)
@@ -117,7 +117,7 @@ TEST_CASE("sample plan: near joints are alike in a field, far ones less", "[app]
     const Study s = study("samples = 300\nspatial = correlated\nkernel = exponential\n"
                           "correlation_length = 0.2 m\ndesign = monte_carlo");
     const SamplePlan plan = plan_of(s);
-    const auto sites = app::joint_sites(layout_of(s));
+    const auto sites = app::joint_sites(layout_of(s, s.source));
     const auto correlation = [&](std::size_t a,
                                  std::size_t b) { // of the stiffness factor: normal
         double ab = 0.0;
@@ -156,9 +156,10 @@ TEST_CASE("sample plan: values that follow from random ones follow their draw",
 {
     for (const char* spatial : {"none", "independent"}) {
         const Study s = study(std::string("samples = 4\nspatial = ") + spatial);
-        const dem::Layout layout = layout_of(s);
+        const dem::Layout layout = layout_of(s, s.source);
         const WallDraw d = app::draw(plan_of(s), 0, 2);
-        const dem::WallMaterials w = app::wall_materials(s, layout, 0, d);
+        const dem::WallMaterials w =
+            app::wall_materials(s, s.random, app::stress_level(s.load, 0), layout, d);
         for (std::size_t k = 0; k < w.cracks.size(); ++k) {
             CHECK(w.cracks[k].ft == d.values[2][k % d.values[2].size()]);
             CHECK(w.cracks[k].cohesion == w.cracks[k].ft);
@@ -276,10 +277,12 @@ TEST_CASE("sample plan: the configuration that a study keeps makes the same wall
             app::read_study(app::parse_study_text("kept.ini", effective_configuration(s))))
             .study;
     CHECK(identity_text(again) == identity_text(s));
-    const dem::Layout layout = layout_of(s);
+    const dem::Layout layout = layout_of(s, s.source);
     for (int i = 0; i < 4; ++i) {
-        const dem::WallMaterials a = wall_materials(s, layout, 1, app::draw(plan_of(s), 1, i)),
-                                 b = wall_materials(again, layout, 1,
+        const dem::WallMaterials a = wall_materials(s, s.random, stress_level(s.load, 1),
+                                                    layout, app::draw(plan_of(s), 1, i)),
+                                 b = wall_materials(again, again.random,
+                                                    stress_level(again.load, 1), layout,
                                                     app::draw(plan_of(again), 1, i));
         for (std::size_t k = 0; k < a.cracks.size(); ++k) {
             CHECK(a.cracks[k].kn == b.cracks[k].kn);
@@ -304,7 +307,8 @@ TEST_CASE("sample plan: every joint closes by its own draw, cracks and supports 
         const Study s = study(std::string("samples = 4\nspatial = ") + spatial, text);
         REQUIRE(s.random[2].key == "joint.initial_stiffness");
         const WallDraw d = app::draw(plan_of(s), 1, 2);
-        const dem::WallMaterials w = app::wall_materials(s, layout_of(s), 1, d);
+        const dem::WallMaterials w = app::wall_materials(
+            s, s.random, app::stress_level(s.load, 1), layout_of(s, s.source), d);
         const std::vector<double>& factor = d.values[1];
         const std::vector<double>& first = d.values[2];
         const double of_wall = first.size() == 1 ? first.front() : s.random[2].mean;
@@ -330,7 +334,8 @@ TEST_CASE("sample plan: a joint whose residual friction follows its own does not
     text.insert(text.find("[joint]\n") + 8, "wear_length = 5 mm\n");
     const Study s = study("samples = 4\nspatial = independent", text);
     const dem::WallMaterials w =
-        app::wall_materials(s, layout_of(s), 0, app::draw(plan_of(s), 0, 1));
+        app::wall_materials(s, s.random, app::stress_level(s.load, 0), layout_of(s, s.source),
+                            app::draw(plan_of(s), 0, 1));
     for (const dem::JointMaterial& joint : w.joints)
         CHECK(joint.wear.tan_phi_res == Approx(joint.tan_phi).epsilon(1e-14));
 }

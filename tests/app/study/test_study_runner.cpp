@@ -51,7 +51,8 @@ Ran run(const Study& s, int threads = 2)
 app::PushedWall pushed_alone(const Study& s, int level, const app::WallDraw& draw)
 {
     const dem::Model model = app::model_of(app::prepare(s));
-    const dem::WallMaterials m = app::wall_materials(s, model.layout, level, draw);
+    const dem::WallMaterials m =
+        app::wall_materials(s, s.random, app::stress_level(s.load, level), model.layout, draw);
     return app::read_wall(app::reading_rules(s), s.load, s.output, level,
                           dem::push(model, m, app::push_plan(s), s.solver));
 }
@@ -187,7 +188,7 @@ TEST_CASE("study runner: a shard that another version shared out is not gone on 
     part.shard = {0, 2};
     REQUIRE(app::run_study(app::prepare(s), part).whole);
     CHECK(app::run_study(app::prepare(s), part).before == 4);
-    const dem::Layout layout = app::layout_of(s);
+    const dem::Layout layout = app::layout_of(s, s.source);
     const std::vector<std::uint32_t> sizes = {4};
     const app::SamplePlan plan = sample_plan(s, s.load, s.source, layout, sizes);
     app::StoreHead head = app::head_of(s, layout, plan, sizes);
