@@ -135,7 +135,9 @@ void second_order(const ReliabilityProblem& p, const FormResult& first, Reliabil
         m.method = std::string("SORM, ") + name;
         m.probability = value;
         m.outcome = value ? "curvatures by differences"
-                          : (r.reason.empty() ? "not defined for these curvatures" : r.reason);
+                          : (r.reason.empty()
+                                 ? "not defined for these curvatures, or off by a factor of two"
+                                 : r.reason);
         a.methods.push_back(m);
     };
     one("Breitung", r.breitung);

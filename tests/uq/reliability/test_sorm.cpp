@@ -135,3 +135,16 @@ TEST_CASE("sorm: Hohenbichler's formula ends where it is not real", "[uq][sorm]"
     CHECK_THROWS_AS(breitung(2.0, VectorXd::Constant(1, -0.5)), std::invalid_argument);
     CHECK_THROWS_AS(breitung(-1.0, VectorXd::Zero(1)), std::invalid_argument);
 }
+
+TEST_CASE("sorm: beside a circle about the origin Breitung is left out", "[uq][sorm]")
+{
+    const LimitState s = problems::limit_state(
+        2, [](const VectorXd& x) { return 3.5 - x.norm(); }); // P = exp(-3.5^2 / 2) = 0.0022
+    Ledger ledger;
+    const LinearLimit at = *linearise(s, Eigen::Vector2d(3.5, 0.0), 1e-3, ledger);
+    const SormResult r = sorm(s, {at, direction(at), 3.5});
+    CHECK(r.outcome == SormOutcome::found);
+    CHECK_FALSE(r.breitung); // 0.16
+    CHECK_FALSE(r.hohenbichler);
+    CHECK(*r.tvedt == Approx(by_quadrature(3.5, -1.0 / 3.5)).epsilon(1e-3));
+}

@@ -68,6 +68,13 @@ std::optional<double> correction(double factor, const Eigen::VectorXd& curvature
     return std::exp(-0.5 * terms.log().sum());
 }
 
+/// A formula is dropped where it misses the integral that it approximates by a factor of two:
+/// beside a circle about the origin Breitung's grows without limit.
+bool is_near(double formula, double integral)
+{
+    return formula < 2.0 * integral && integral < 2.0 * formula;
+}
+
 } // namespace
 
 double breitung(double beta, const Eigen::VectorXd& curvatures)
@@ -113,9 +120,11 @@ SormResult sorm(const LimitState& s, const DesignPoint& p, double step)
     }
     const auto own_side = [&](double q) { return side > 0.0 ? q : 1.0 - q; };
     r.outcome = SormOutcome::found;
-    r.breitung = own_side(breitung(beta, kappa));
-    if (const auto h = hohenbichler(beta, kappa)) r.hohenbichler = own_side(*h);
-    r.tvedt = own_side(paraboloid_probability(beta, kappa));
+    const double whole = paraboloid_probability(beta, kappa);
+    r.tvedt = own_side(whole);
+    if (const double q = breitung(beta, kappa); is_near(q, whole)) r.breitung = own_side(q);
+    if (const auto q = hohenbichler(beta, kappa); q && is_near(*q, whole))
+        r.hohenbichler = own_side(*q);
     return r;
 }
 

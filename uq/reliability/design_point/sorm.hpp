@@ -19,7 +19,7 @@ struct SormResult {
         curvatures; ///< kappa_i, d - 1, ascending; positive: the passed side is smaller
     /// Probabilities, only where found. Breitung (1984): asymptotic; Hohenbichler and Rackwitz
     /// (1988): not where 1 + psi(beta) kappa_i <= 0; the paraboloid itself (Tvedt 1990), to
-    /// rounding.
+    /// rounding. The first two are left out where they miss the third by a factor of two.
     std::optional<double> breitung, hohenbichler, tvedt;
     Ledger ledger;
 };
