@@ -203,9 +203,7 @@ std::optional<Refusal> screen(Law law, std::span<const Observation> data)
     if (auto refusal = screen_counts(c, highest_lower, lowest_upper)) return refusal;
     if (!(highest_lower > lowest_upper + 1e-12 * size))
         return Refusal{FitOutcome::no_spread,
-                       "all " + shown(c.n) + " agree with " +
-                           shown(std::isfinite(highest_lower) ? highest_lower : lowest_upper) +
-                           ": one value, no curve"};
+                       "all " + shown(c.n) + " agree with one and the same value: no curve"};
     return std::nullopt;
 }
 

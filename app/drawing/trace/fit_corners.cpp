@@ -220,6 +220,14 @@ void straighten_sides(OutlineNetwork& network, const Fitting& fitting)
     }
 }
 
+/// The reason why a corner moved by more than snap; empty where none did.
+std::string beyond_snap(const OutlineNetwork& network, double farthest)
+{
+    if (!(farthest > network.snap + kLeastSnap)) return "";
+    return " (more than " + snap_text(network) +
+           ", because corners follow each other in steps up to that)";
+}
+
 void note_fitting(OutlineNetwork& network, const Fitting& fitting)
 {
     std::set<int> on_sides;
@@ -232,18 +240,19 @@ void note_fitting(OutlineNetwork& network, const Fitting& fitting)
     if (fitting.joined > 0) {
         network.notes.push_back(counted(fitting.joined, "corner was", "corners were") +
                                 " joined to others, at most " + millimetres(fitting.farthest) +
-                                " away.");
+                                " away" + beyond_snap(network, fitting.farthest) + ".");
     }
     if (fitting.levelled > 0) {
         network.notes.push_back(counted(fitting.levelled, "corner was", "corners were") +
                                 " put on the level of the lowest or the highest one, at most " +
-                                millimetres(fitting.lifted) + " away.");
+                                millimetres(fitting.lifted) + " away" +
+                                beyond_snap(network, fitting.lifted) + ".");
     }
     if (farthest > kLeastSnap) {
         network.notes.push_back(
             counted(on_sides.size(), "corner lies", "corners lie") +
             " on sides of other blocks; to this end corners were moved by at most " +
-            millimetres(farthest) + ".");
+            millimetres(farthest) + beyond_snap(network, farthest) + ".");
     }
     if (fitting.straight > 0) {
         network.notes.push_back(counted(fitting.straight,

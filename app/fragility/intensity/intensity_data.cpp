@@ -5,9 +5,12 @@
 #include "app/text/words.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
+#include <string_view>
 
 namespace app {
 namespace {
@@ -33,6 +36,39 @@ std::vector<IntensityState> states_of_study(const FragilityInput& f, bool pushed
     states.push_back(
         {"collapse", IntensityResponse::collapse, std::numeric_limits<double>::infinity()});
     return states;
+}
+
+std::optional<ground::Measure> measure_of(const std::string& text)
+{
+    try {
+        return ground::parse_measure(text);
+    } catch (const std::invalid_argument&) {
+        return {};
+    }
+}
+
+std::string small_letters(std::string_view text)
+{
+    std::string small(trimmed(text));
+    for (char& c : small) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return small;
+}
+
+/// The measure that the head of a column names in full: "PGA [g]", "Sa(0.3 s)".
+std::optional<ground::Measure> measure_in_head(const std::string& head)
+{
+    if (const auto all = measure_of(small_letters(head))) return all;
+    return measure_of(small_letters(head.substr(0, head.find_last_of("[("))));
+}
+
+/// True if the head names another measure than `wanted`, if only its kind: "Sa [g]".
+bool is_other_measure(const std::string& head, const ground::Measure& wanted)
+{
+    if (const auto named = measure_in_head(head)) return !(*named == wanted);
+    const std::string name = small_letters(bare_name(head));
+    for (const char* const arguments : {"(1 s)", "(1 m, 1 m)"})
+        if (const auto named = measure_of(name + arguments)) return named->kind != wanted.kind;
+    return false;
 }
 
 } // namespace
@@ -76,7 +112,8 @@ std::vector<fragility::HazardPoint> hazard_points(const Csv& csv, const Intensit
                               "], and the annual rate at which it is exceeded [1/a]");
     const std::string& head = csv.head.front();
     const std::string_view name = bare_name(head);
-    if (name.size() < head.size()) {
+    const bool has_unit = name.size() < head.size() && !measure_of(small_letters(head));
+    if (has_unit) {
         const std::string unit = head.substr(name.size());
         if (unit.find("[" + data.unit + "]") == std::string::npos &&
             unit.find("(" + data.unit + ")") == std::string::npos)
@@ -84,6 +121,11 @@ std::vector<fragility::HazardPoint> hazard_points(const Csv& csv, const Intensit
                               data.measure_name + " is read in [" + data.unit +
                                   "]; convert the column, or choose another --intensity");
     }
+    if (is_other_measure(head, data.measure))
+        throw ConfigError(csv.path, 1, head,
+                          "names another measure than " + data.measure_name +
+                              ", on which the curves are; give the hazard of " +
+                              data.measure_name + ", or choose another --intensity");
     std::vector<fragility::HazardPoint> points;
     for (const CsvRow& row : csv.rows) {
         const fragility::HazardPoint p{number_at(csv, row, 0), number_at(csv, row, 1)};

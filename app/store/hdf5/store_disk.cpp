@@ -20,7 +20,8 @@ const char* remedy(int error)
     switch (error) {
     case ENOSPC:
     case EDQUOT:
-        return "; make space there and run the same command again; it continues";
+        return "; make space there and run the same command again; a study continues "
+               "with the walls it has";
     case EFBIG:
         return "; raise the limit of file sizes (ulimit -f) and run the same command again";
     case EROFS:

@@ -212,7 +212,12 @@ TEST_CASE("drawing fit: feet and tops that scatter by less than snap are level, 
     CHECK(level(even, true) == 5);
     CHECK(scenes::common_sides(even) == 4);
     CHECK(scenes::notes(even, "put on the level of the lowest or the highest one, at most"));
+    const app::Drawing steps = stones({0.0, 0.4, 0.8, 0.0, 0.4}, {600, 600, 600, 600, 600});
+    CHECK(level(steps, false) == 5);
+    CHECK(scenes::notes(steps, "(more than wall.snap (0.5 mm), because corners follow each "
+                               "other in steps up to that)"));
     const app::Drawing uneven = stones({0, 0, 0, 0, 0}, {600, 602, 600, 602, 600});
+    CHECK_FALSE(scenes::notes(uneven, "more than"));
     CHECK(level(uneven, false) == 5);
     CHECK(level(uneven, true) == 2);
 }

@@ -106,3 +106,17 @@ TEST_CASE("distribution text: a decimal comma and numbers in SI are told", "[app
                       Catch::Contains("upper end is 3e+06") &&
                           Catch::Contains("(numbers in Pa)"));
 }
+
+TEST_CASE("distribution text: a cut that leaves next to nothing is refused",
+          "[app][distribution_text]")
+{
+    // 80 deg lies 8.0 standard deviations above the mean
+    CHECK(complaint("normal(mean 31.8 deg, sd 6 deg, from 80 deg, to 89 deg)", "deg")
+              .find("leaves 4.7e-16 of the distribution") != std::string::npos);
+    CHECK(complaint("lognormal(mean 30 deg, cov 0.05, to 10 deg)", "deg")
+              .find("next to nothing; write from and to") != std::string::npos);
+    CHECK(complaint("normal(mean 30 deg, sd 3 deg, from 50 deg)", "deg") != "none"); // 1.3e-11
+    // 4.4 standard deviations: 5e-6 of it is left
+    CHECK(complaint("normal(mean 31.8 deg, sd 3 deg, from 45 deg)", "deg") == "none");
+    CHECK(complaint("normal(mean 31.8 deg, sd 3 deg, from 1 deg)", "deg") == "none");
+}

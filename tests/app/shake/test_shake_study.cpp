@@ -425,6 +425,12 @@ TEST_CASE("shake study: fragility on the intensity, with rates and files for oth
                       Contains("--intensity: \"sa(0.7 s)\" is not in"));
     c.intensity = "pgv";
     CHECK_THROWS_WITH(app::fragility_command(c), Contains("pgv is read in [m/s]"));
+    c.intensity.clear();
+    for (const char* const other : {"Sa(0.3 s) [g]", "sa(0.3 s)", "Sa [g]", "avg_sa(0.5 s)"}) {
+        std::ofstream(study.path / "hazard.csv") << other << ",rate\n0.1,0.1\n0.2,0.01\n";
+        CHECK_THROWS_WITH(app::fragility_command(c),
+                          Contains("names another measure than pga"));
+    }
     std::ofstream(study.path / "hazard.csv") << "PGA [g],rate\n0.1,0.1\n0.2,0.2\n";
     c.intensity.clear();
     CHECK_THROWS_WITH(app::fragility_command(c),
