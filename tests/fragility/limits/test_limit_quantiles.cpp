@@ -161,6 +161,25 @@ TEST_CASE("limit quantiles: heaps that lie apart need nobody to tell the modes",
     CHECK(limits_of({{stood}}).source != QuantileSource::heaps);
 }
 
+TEST_CASE("limit quantiles: a few walls that may be a heap widen the intervals of one law",
+          "[fragility][limit_quantiles]")
+{
+    std::vector<Observation> walls;
+    const auto add = [&](int n, double median, double dispersion) {
+        const Distribution law{Law::lognormal, std::log(median), dispersion};
+        for (int k = 0; k < n; ++k) walls.push_back(observed(quantile(law, (k + 0.5) / n)));
+    };
+    add(47, 1.4, 0.6);
+    add(3, 8.0, 0.12); // gain 6.2: no heap for sure
+    const LimitQuantiles found = limits_of({{walls}});
+    REQUIRE(found.source == QuantileSource::law);
+    const PerformanceLimits law = performance_limits(Law::lognormal, walls);
+    CHECK(*found.at[4].value == Approx(law.drifts[4].drift));
+    CHECK(law.drifts[4].interval.upper < 7.5);
+    CHECK(found.at[4].interval.upper > 8.0);
+    CHECK(found.at[4].interval.lower <= law.drifts[4].interval.lower);
+}
+
 TEST_CASE("limit quantiles: modes that part what stood from what fell are no modes",
           "[fragility][limit_quantiles]")
 {
