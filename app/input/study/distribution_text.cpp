@@ -273,10 +273,10 @@ std::string distribution_help()
 {
     std::string text = "In place of the number of a material, a distribution:\n";
     for (const MarginalForm& f : uq::marginal_forms()) text += "  " + form_text(f) + "\n";
-    return text +
-           "  empirical(values)\n"
-           "each with \", from ..., to ...\" to cut it off. Quantities carry their unit; "
-           "cov, sigma_log and shape have none; cov may be in percent: cov 20 %.\n";
+    return text + "  empirical(values)\n"
+                  "each but the last with \", from ..., to ...\" to cut it off. Quantities "
+                  "carry their unit; cov, sigma_log and shape have none; cov may be in "
+                  "percent: cov 20 %.\n";
 }
 
 } // namespace app
