@@ -17,9 +17,12 @@ struct Marginal {
 };
 
 /// @throws std::invalid_argument naming the parameter that is out of range, or a cut that
-/// leaves
-/// nothing. Every function below is for marginals that pass.
+/// leaves nothing. Every function below is for marginals that pass.
 void check(const Marginal& m);
+
+/// Probability of a continuous shape within the cut; of a discrete shape 1 where a value lies
+/// within it, else 0.
+[[nodiscard]] double share_left(const Marginal& m);
 
 /// @throws std::invalid_argument for x = nan, p or q outside (0, 1), and from pdf for a
 /// variable

@@ -11,26 +11,31 @@
 namespace uq {
 namespace {
 
-template <Discrete S> bool leaves(const S& s, const Marginal& m)
+template <Discrete S> double share_left(const S& s, const Marginal& m)
 {
-    return std::ranges::any_of(values_of(s),
-                               [&](double x) { return m.lower <= x && x <= m.upper; });
+    const auto is_left = [&](double x) { return m.lower <= x && x <= m.upper; };
+    return std::ranges::any_of(values_of(s), is_left) ? 1.0 : 0.0;
 }
 
-template <class S> bool leaves(const S& s, const Marginal& m)
+template <class S> double share_left(const S& s, const Marginal& m)
 {
-    constexpr double kSmallest = 1e-290; // below it quotients of probabilities lose digits
-    return truncated::cut(s, m.lower, m.upper).mass >= kSmallest;
+    return truncated::cut(s, m.lower, m.upper).mass;
 }
 
 } // namespace
+
+double share_left(const Marginal& m)
+{
+    return std::visit([&](const auto& s) { return share_left(s, m); }, m.shape);
+}
 
 void check(const Marginal& m)
 {
     std::visit([](const auto& s) { check(s); }, m.shape);
     if (std::isnan(m.lower) || std::isnan(m.upper) || m.lower > m.upper)
         refuse("cut: upper end", m.upper, "a number, not below the lower end of the cut");
-    if (!std::visit([&](const auto& s) { return leaves(s, m); }, m.shape)) {
+    constexpr double kSmallest = 1e-290; // below it quotients of probabilities lose digits
+    if (!(share_left(m) >= kSmallest)) {
         std::ostringstream text;
         text << "cut: nothing of the distribution is left between " << m.lower << " and "
              << m.upper;

@@ -252,7 +252,7 @@ void note_fitting(OutlineNetwork& network, const Fitting& fitting)
         network.notes.push_back(
             counted(on_sides.size(), "corner lies", "corners lie") +
             " on sides of other blocks; to this end corners were moved by at most " +
-            millimetres(farthest) + beyond_snap(network, farthest) + ".");
+            millimetres(farthest) + ".");
     }
     if (fitting.straight > 0) {
         network.notes.push_back(counted(fitting.straight,

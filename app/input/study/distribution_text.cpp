@@ -11,7 +11,6 @@
 #include <optional>
 #include <span>
 #include <stdexcept>
-#include <variant>
 #include <vector>
 
 namespace app {
@@ -195,24 +194,11 @@ uq::Marginal marginal_of(std::string_view text, std::string_view unit)
     return m;
 }
 
-/// Share of a shape that its cut leaves, at least as good as double holds of a difference.
-double share_left(const uq::Marginal& m)
-{
-    const uq::Marginal whole{m.shape};
-    const auto cut = [](double x) { return std::isfinite(x); };
-    const double below = cut(m.lower) ? uq::cdf(whole, m.lower) : 0.0;
-    const double above = cut(m.upper) ? uq::complement(whole, m.upper) : 0.0;
-    const double to_upper = cut(m.upper) ? uq::cdf(whole, m.upper) : 1.0;
-    const double from_lower = cut(m.lower) ? uq::complement(whole, m.lower) : 1.0;
-    return std::max(to_upper - below, from_lower - above);
-}
-
 /// Refuses a cut that leaves next to nothing: a slip of a unit or of a digit.
 void refuse_remnant(const uq::Marginal& m, std::string_view text)
 {
-    constexpr double kLeastShare = 1e-6; // choice: refused below; beyond, nothing moves
-    if (std::holds_alternative<uq::Empirical>(m.shape)) return;
-    const double share = share_left(m);
+    constexpr double kLeastShare = 1e-6; // choice: no result depends on it
+    const double share = uq::share_left(m);
     if (share < kLeastShare)
         throw BadValue(in_quotes(text) + " leaves " + number(share, 2) +
                        " of the distribution, next to nothing; write from and to that leave " +
