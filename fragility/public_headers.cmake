@@ -32,6 +32,7 @@ set(FRAGILITY_PUBLIC_HEADERS
     fits/observation.hpp
     modes/ordinal_fit.hpp
     limits/performance_limits.hpp
+    limits/possible_laws.hpp
     curve/resampled_curve.hpp
     fits/share.hpp
     limits/stress_model.hpp

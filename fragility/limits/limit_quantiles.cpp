@@ -2,6 +2,7 @@
 
 #include "fragility/fits/observed_quantile.hpp"
 #include "fragility/fits/two_heaps.hpp"
+#include "fragility/limits/possible_laws.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -52,6 +53,13 @@ std::vector<LimitQuantile> from_shares(std::span<const Observation> walls, doubl
     return found;
 }
 
+/// Widens an interval by the ends that another one gives.
+void hold(core::Interval& interval, const core::Interval& other)
+{
+    if (other.lower > 0.0) interval.lower = std::min(interval.lower, other.lower);
+    if (std::isfinite(other.upper)) interval.upper = std::max(interval.upper, other.upper);
+}
+
 /// The ends that the band of a mixture does not give, from the ranks of all walls.
 void mend(core::Interval& band, double value, const core::Interval& ranks)
 {
@@ -64,6 +72,13 @@ std::vector<LimitQuantile> from_mixture(const std::vector<ModeGroup>& modes, dou
 {
     std::vector<LimitQuantile> found;
     auto mixture = mixture_quantiles(modes, kLimitShares, confidence);
+    std::vector<ModeGroup> others = modes;
+    for (const Law law : other_possible_laws(modes)) {
+        for (ModeGroup& m : others) m.law = law;
+        const auto other = mixture_quantiles(others, kLimitShares, confidence);
+        for (std::size_t i = 0; i < mixture.size(); ++i)
+            hold(mixture[i].interval, other[i].interval);
+    }
     if (const auto walls = all_walls(modes); std::ranges::all_of(walls, plain)) {
         const auto seen = observed_quantiles(walls, kLimitShares, confidence);
         for (std::size_t i = 0; i < seen.size(); ++i)
@@ -93,21 +108,24 @@ double reached_at(std::span<const Observation> walls, double end)
 }
 
 /// Quantiles of one law, and of the shares where the law is not to be trusted.
-std::vector<LimitQuantile> from_law(const PerformanceLimits& law,
-                                    std::span<const Observation> walls, double end,
+std::vector<LimitQuantile> from_law(const PerformanceLimits& limits, Law law,
+                                    const std::vector<Observation>& walls, double end,
                                     double confidence)
 {
-    const bool censored = std::isfinite(end);
-    std::vector<LimitQuantile> found;
     const bool shares_known = std::ranges::all_of(walls, plain);
     const double trusted =
-        censored && shares_known ? kReadOfReached * reached_at(walls, end) : 1.0;
-    const auto seen = shares_known ? from_shares(walls, end, confidence) : found;
-    for (std::size_t i = 0; i < kLimitShares.size(); ++i) {
-        const DriftLimit& d = law.drifts[i];
-        found.push_back(d.share <= trusted ? cut(d.share, d.drift, d.interval, end, false)
-                                           : seen[i]);
+        std::isfinite(end) && shares_known ? kReadOfReached * reached_at(walls, end) : 1.0;
+    auto drifts = limits.drifts;
+    for (const Law other : other_possible_laws(std::vector<ModeGroup>{{walls, law, true}})) {
+        const PerformanceLimits by_other = performance_limits(other, walls, confidence);
+        for (std::size_t i = 0; i < drifts.size(); ++i)
+            hold(drifts[i].interval, by_other.drifts[i].interval);
     }
+    std::vector<LimitQuantile> found = shares_known ? from_shares(walls, end, confidence)
+                                                    : std::vector<LimitQuantile>(drifts.size());
+    for (std::size_t i = 0; i < drifts.size(); ++i)
+        if (drifts[i].share <= trusted)
+            found[i] = cut(drifts[i].share, drifts[i].drift, drifts[i].interval, end, false);
     return found;
 }
 
@@ -169,11 +187,7 @@ void hold_possible_heaps(std::span<const Observation> walls, Law law, double con
     const auto heaps = heaps_apart(walls, law, kPossibleGain);
     if (std::ranges::none_of(heaps, has_law)) return;
     const auto other = from_mixture(heaps, core::kInfinity, confidence);
-    for (std::size_t i = 0; i < at.size(); ++i) {
-        core::Interval& interval = at[i].interval;
-        interval.lower = std::min(interval.lower, other[i].interval.lower);
-        interval.upper = std::max(interval.upper, other[i].interval.upper);
-    }
+    for (std::size_t i = 0; i < at.size(); ++i) hold(at[i].interval, other[i].interval);
 }
 
 } // namespace
@@ -203,8 +217,7 @@ LimitQuantiles limit_quantiles(const QuantileData& data, const PerformanceLimits
     const bool reached =
         std::ranges::any_of(walls, [](const Observation& o) { return !stands(o); });
     const bool own = std::ranges::none_of(walls, &Observation::capped);
-    if (!reached) return found;
-    if (modes.empty()) return found;
+    if (!reached || modes.empty()) return found;
     const bool well_told =
         tell_apart(modes) && std::ranges::all_of(modes, &ModeGroup::described);
     auto heaps = own && !well_told && !std::isfinite(found.tested_to)
@@ -219,7 +232,7 @@ LimitQuantiles limit_quantiles(const QuantileData& data, const PerformanceLimits
         found.at = from_mixture(modes, found.tested_to, confidence);
     } else if (own && law.fitted && data.described) {
         found.source = QuantileSource::law;
-        found.at = from_law(law, walls, found.tested_to, confidence);
+        found.at = from_law(law, modes.front().law, walls, found.tested_to, confidence);
         if (!std::isfinite(found.tested_to))
             hold_possible_heaps(walls, modes.front().law, confidence, found.at);
     } else if (std::ranges::all_of(walls, plain)) {

@@ -61,8 +61,9 @@ struct QuantileData {
 /// those that fell, the law is used where it describes the walls. Where some of these walls
 /// stood when their push ended, shares above half of those reached are read from the shares
 /// observed: a second heap of walls beyond the end, which no test sees, bends the law there.
-/// Where walls that all fell may be in two heaps, but not for sure, the intervals of the law
-/// hold those of the heaps. All else is read from the shares observed. A quantile beyond
+/// Intervals by a law hold those of the other laws that the walls do not tell apart from it
+/// (possible_laws.hpp). Where walls that all fell may be in two heaps, but not for sure, the
+/// intervals of the law hold those of the heaps. All else is read from the shares observed. A quantile beyond
 /// tested_to is a lower bound: the smaller of the lower end of its interval and tested_to.
 /// Where the band of a mixture breaks (a mode of one or two walls has no band), an end of the
 /// interval that it does not give is that of the ranks of all walls, which need no law. A bound

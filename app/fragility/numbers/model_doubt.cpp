@@ -138,20 +138,17 @@ std::optional<DoubtedLimit> doubted_limit(const DriftData& data, std::size_t g,
         if (!bound.median_bounded || !(bound.median_above > 0.0)) return {};
         return fragility::bounded_with_model_doubt(bound.median_above, confidence, factor);
     }
-    const JudgedFit& f = limits.judged;
-    if (of_one_law(limits.quantiles)) {
-        const auto median = fragility::profile_interval(
-            f.fit, observations, fragility::quantile_of(0.5), confidence);
-        const double error = fragility::uncertain(f.fit, fragility::median()).axis_error;
-        const bool logarithmic = positive(f.fit.law.law);
-        return with_model_doubt(f.fit.law, median, logarithmic ? error : kUnknown, factor);
+    const auto& at = limits.quantiles.at;
+    if (at.empty()) return {};
+    const core::Interval median = at.at(at.size() / 2).interval;
+    if (const fragility::Fit& f = limits.judged.fit; of_one_law(limits.quantiles)) {
+        const double error = fragility::uncertain(f, fragility::median()).axis_error;
+        return with_model_doubt(f.law, median, positive(f.law.law) ? error : kUnknown, factor);
     }
     const auto walls =
         fragility::drift_distribution(fragility::kaplan_meier(observations, confidence));
     if (walls.drifts.empty()) return {};
-    const auto& at = limits.quantiles.at;
-    if (at.empty()) return {};
-    return with_model_doubt(walls, at.at(at.size() / 2).interval, kUnknown, factor);
+    return with_model_doubt(walls, median, kUnknown, factor);
 }
 
 Table drift_doubt_table(const DriftData& data)

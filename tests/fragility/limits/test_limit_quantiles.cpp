@@ -4,6 +4,7 @@
 #include "fragility/fits/two_heaps.hpp"
 #include "fragility/laws/small_sample.hpp"
 #include "fragility/laws/standard_law.hpp"
+#include "fragility/limits/possible_laws.hpp"
 #include "tests/fragility/fit_data.hpp"
 
 #include <catch2/catch.hpp>
@@ -178,6 +179,77 @@ TEST_CASE("limit quantiles: a few walls that may be a heap widen the intervals o
     CHECK(law.drifts[4].interval.upper < 7.5);
     CHECK(found.at[4].interval.upper > 8.0);
     CHECK(found.at[4].interval.lower <= law.drifts[4].interval.lower);
+}
+
+namespace {
+
+/// Walls at the quantiles of a law.
+std::vector<Observation> walls_of(const Distribution& law, int n, double end = core::kInfinity)
+{
+    std::vector<Observation> walls;
+    for (int k = 0; k < n; ++k) {
+        const double x = quantile(law, (k + 0.5) / n);
+        walls.push_back(x < end ? observed(x) : right_censored(end));
+    }
+    return walls;
+}
+
+} // namespace
+
+TEST_CASE("limit quantiles: intervals hold those of the laws that few walls do not tell apart",
+          "[fragility][limit_quantiles]")
+{
+    const auto walls = walls_of({Law::weibull, std::log(1.8), 1.0 / 2.2}, 12);
+    const LimitQuantiles found = limits_of({{walls}});
+    REQUIRE(found.source == QuantileSource::law);
+    REQUIRE(other_possible_laws(std::vector<ModeGroup>{{walls}}) ==
+            std::vector{Law::weibull, Law::gamma});
+    const auto own = performance_limits(Law::lognormal, walls);
+    const auto weibull = performance_limits(Law::weibull, walls);
+    const auto gamma = performance_limits(Law::gamma, walls);
+    for (const std::size_t i : {0U, 1U, 2U}) {
+        CHECK(found.at[i].value == own.drifts[i].drift);
+        CHECK(found.at[i].interval.lower ==
+              std::min({own.drifts[i].interval.lower, weibull.drifts[i].interval.lower,
+                        gamma.drifts[i].interval.lower}));
+        CHECK(found.at[i].interval.upper ==
+              std::max({own.drifts[i].interval.upper, weibull.drifts[i].interval.upper,
+                        gamma.drifts[i].interval.upper}));
+    }
+    CHECK(found.at[0].interval.lower < 0.8 * own.drifts[0].interval.lower);
+}
+
+TEST_CASE("limit quantiles: the laws of modes are not told apart either",
+          "[fragility][limit_quantiles]")
+{
+    const auto modes = std::vector<ModeGroup>{
+        {walls_of({Law::weibull, std::log(1.0), 1.0 / 3.0}, 12), Law::lognormal, true},
+        {walls_of({Law::weibull, std::log(2.0), 1.0 / 3.0}, 12), Law::lognormal, true}};
+    REQUIRE_FALSE(other_possible_laws(modes).empty());
+    const LimitQuantiles found = limits_of(modes);
+    REQUIRE(found.source == QuantileSource::mixture);
+    const auto own = mixture_quantiles(modes, kLimitShares);
+    CHECK(found.at[0].value == own[0].value);
+    CHECK(found.at[0].interval.lower < 0.95 * own[0].interval.lower);
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        CHECK(found.at[i].interval.lower <= own[i].interval.lower);
+        CHECK(found.at[i].interval.upper >= own[i].interval.upper);
+    }
+}
+
+TEST_CASE("possible laws: many walls tell them apart, and negative values allow none",
+          "[fragility][limit_quantiles]")
+{
+    const auto others = [](std::vector<Observation> walls, Law law) {
+        return other_possible_laws(std::vector<ModeGroup>{{std::move(walls), law, true}});
+    };
+    CHECK(others(walls_of({Law::lognormal, 0.0, 0.45}, 250), Law::lognormal).empty());
+    const auto weibull = walls_of({Law::weibull, 0.0, 1.0 / 2.2}, 250);
+    CHECK(others(weibull, Law::weibull).empty());
+    CHECK(others(weibull, Law::lognormal) == std::vector{Law::weibull});
+    CHECK(others(walls_of({Law::normal, 0.5, 0.5}, 20), Law::normal).empty());
+    CHECK(others({observed(1.0), right_censored(2.0)}, Law::lognormal).size() == 2);
+    CHECK(other_possible_laws({}).empty());
 }
 
 TEST_CASE("limit quantiles: modes that part what stood from what fell are no modes",
