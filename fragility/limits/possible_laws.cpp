@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace fragility {
 namespace {
 
 constexpr std::array kPositiveLaws = {Law::lognormal, Law::weibull, Law::gamma};
-constexpr double kLessLikely = 1.0; // ln of the factor
+constexpr double kLeastLikely = 0.75; // of the largest likelihood
 
 /// Sum over the modes; -infinity where the law cannot be that of walls whose own law can.
 double log_likelihood(std::span<const ModeGroup> modes, Law law)
@@ -35,10 +36,10 @@ std::vector<Law> other_possible_laws(std::span<const ModeGroup> modes)
     std::ranges::transform(kPositiveLaws, likely.begin(),
                            [&](Law law) { return log_likelihood(modes, law); });
     const double best = std::max(std::ranges::max(likely), log_likelihood(modes, own));
+    const double least = best + std::log(kLeastLikely);
     std::vector<Law> others;
     for (std::size_t i = 0; i < likely.size(); ++i)
-        if (kPositiveLaws[i] != own && likely[i] >= best - kLessLikely)
-            others.push_back(kPositiveLaws[i]);
+        if (kPositiveLaws[i] != own && likely[i] >= least) others.push_back(kPositiveLaws[i]);
     return others;
 }
 
