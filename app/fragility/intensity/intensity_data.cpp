@@ -37,10 +37,10 @@ std::vector<IntensityState> states_of_study(const FragilityInput& f, bool pushed
     return states;
 }
 
-std::optional<ground::Measure> measure_of(const std::string& text)
+std::optional<ground::Measure> measure_of(std::string_view text)
 {
     try {
-        return ground::parse_measure(text);
+        return ground::parse_measure(lower_case(trimmed(text)));
     } catch (const std::invalid_argument&) {
         return {};
     }
@@ -49,15 +49,15 @@ std::optional<ground::Measure> measure_of(const std::string& text)
 /// The measure that the head of a column names in full: "PGA [g]", "Sa(0.3 s)".
 std::optional<ground::Measure> measure_in_head(const std::string& head)
 {
-    if (const auto all = measure_of(lower_case(trimmed(head)))) return all;
-    return measure_of(lower_case(trimmed(head.substr(0, head.find_last_of("[(")))));
+    if (const auto all = measure_of(head)) return all;
+    return measure_of(head.substr(0, head.find_last_of("[(")));
 }
 
 /// True if the head names another measure than `wanted`, if only its kind: "Sa [g]".
 bool is_other_measure(const std::string& head, const ground::Measure& wanted)
 {
     if (const auto named = measure_in_head(head)) return !(*named == wanted);
-    const std::string name = lower_case(trimmed(bare_name(head)));
+    const std::string name(bare_name(head));
     for (const char* const arguments : {"(1 s)", "(1 m, 1 m)"})
         if (const auto named = measure_of(name + arguments)) return named->kind != wanted.kind;
     return false;
@@ -104,7 +104,7 @@ std::vector<fragility::HazardPoint> hazard_points(const Csv& csv, const Intensit
                               "], and the annual rate at which it is exceeded [1/a]");
     const std::string& head = csv.head.front();
     const std::string_view name = bare_name(head);
-    const bool has_unit = name.size() < head.size() && !measure_of(lower_case(trimmed(head)));
+    const bool has_unit = name.size() < head.size() && !measure_of(head);
     if (has_unit) {
         const std::string unit = head.substr(name.size());
         if (unit.find("[" + data.unit + "]") == std::string::npos &&

@@ -431,10 +431,14 @@ TEST_CASE("shake study: fragility on the intensity, with rates and files for oth
         CHECK_THROWS_WITH(app::fragility_command(c),
                           Contains("names another measure than pga"));
     }
-    std::ofstream(study.path / "hazard.csv") << "PGA [g],rate\n0.1,0.1\n0.2,0.2\n";
-    c.intensity.clear();
-    CHECK_THROWS_WITH(app::fragility_command(c),
-                      Contains("must be below that of the row before"));
+    for (const auto& [measure, head] : {std::pair("", "PGA [g]"),
+                                        {"sa(0.3 s)", "Sa(0.3 s)"},
+                                        {"sa(0.3 s)", " sa(0.3 s) [g]"}}) {
+        std::ofstream(study.path / "hazard.csv") << head << ",rate\n0.1,0.1\n0.2,0.2\n";
+        c.intensity = measure;
+        CHECK_THROWS_WITH(app::fragility_command(c),
+                          Contains("must be below that of the row before"));
+    }
 }
 
 TEST_CASE("shake study: tables write each intensity as the measure, with its unit",
