@@ -1,5 +1,7 @@
 #include "dem/scene/symmetry.hpp"
 
+#include "dem/scene/touching.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,6 +16,7 @@ struct Mark {
     double size = 0.0;        ///< area of a block [m2], length of a crack [m]
     double half_length = 0.0; ///< along the wall [m]
     int material = 0;         ///< -1 of a crack
+    int block = -1;           ///< -1 of a crack
 };
 
 std::vector<Mark> marks_of(const Layout& layout)
@@ -22,16 +25,38 @@ std::vector<Mark> marks_of(const Layout& layout)
     for (int k = 0; k < static_cast<int>(layout.blocks.size()); ++k) {
         const Block& b = layout.blocks[k];
         if (k != layout.beam)
-            marks.push_back({centre_of(b), area_of(b), 0.5 * (b.x1 - b.x0), b.material});
+            marks.push_back({centre_of(b), area_of(b), 0.5 * (b.x1 - b.x0), b.material, k});
     }
     for (const Face& f : layout.faces)
         if (f.kind == FaceKind::unit_crack)
             marks.push_back({{0.5 * (f.from.x + f.to.x), 0.5 * (f.from.z + f.to.z)},
                              std::hypot(f.to.x - f.from.x, f.to.z - f.from.z),
                              0.5 * std::abs(f.to.x - f.from.x),
+                             -1,
                              -1});
     std::ranges::sort(marks, {}, [](const Mark& m) { return m.middle.z; });
     return marks;
+}
+
+double distance(Point p, Point a, Point b)
+{
+    const Point way{b.x - a.x, b.z - a.z}, to{p.x - a.x, p.z - a.z};
+    const double length = way.x * way.x + way.z * way.z;
+    const double share =
+        length > 0.0 ? std::clamp((to.x * way.x + to.z * way.z) / length, 0.0, 1.0) : 0.0;
+    return std::hypot(to.x - share * way.x, to.z - share * way.z);
+}
+
+/// Whether the mirror image of each corner of a block lies on the outline of the other.
+bool is_mirrored(const Block& block, const Block& other, double axis, double close)
+{
+    const std::vector<Point> outline = corners_of(other), corners = corners_of(block);
+    return std::ranges::all_of(corners, [&](Point p) {
+        p.x = 2.0 * axis - p.x;
+        for (std::size_t i = 0; i < outline.size(); ++i)
+            if (distance(p, outline[i], outline[(i + 1) % outline.size()]) < close) return true;
+        return false;
+    });
 }
 
 /// The middle of the masonry [m].
@@ -59,7 +84,9 @@ bool is_symmetric(const Layout& layout)
                                               [](const Mark& o) { return o.middle.z; });
         for (; other != marks.end() && other->middle.z < m.middle.z + kClose; ++other)
             if (close(other->middle.x + m.middle.x, 2.0 * axis) && close(other->size, m.size) &&
-                close(other->half_length, m.half_length) && other->material == m.material)
+                close(other->half_length, m.half_length) && other->material == m.material &&
+                (m.block < 0 || is_mirrored(layout.blocks[m.block], layout.blocks[other->block],
+                                            axis, kClose)))
                 return true;
         return false;
     });

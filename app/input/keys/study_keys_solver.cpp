@@ -131,7 +131,8 @@ constexpr std::array kSolverKeys = {
         .field = kAt<&Study::load, &LoadInput::targets>},
     Key{.name = "load.direction", .kind = Kind::word, .names = kDirections, .used = kToTheLeft,
         .meaning = "side to which the wall is pushed; left: the mirror image of a push to the right; both: a wall that is not symmetric is"
-                   " pushed to either side, a symmetric one to the right; a study without this key pushes right",
+                   " pushed to either side, a symmetric one to the right; without this key a study pushes right, and so does a push"
+                   " that takes half a minute of a core or more",
         .field = kAt<&Study::load, &LoadInput::direction>},
     Key{.name = "load.amplitudes", .kind = Kind::list, .unit = "mm", .range = {'(', 0, 1000, ']'},
         .derived = {"no cycles"},

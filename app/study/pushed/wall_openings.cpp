@@ -50,31 +50,62 @@ bool lies_above(const Gap& upper, const Gap& lower)
     return common > 0.5 * std::min(upper.width(), lower.width());
 }
 
+/// Whether one gap goes on as the other, and not as one that joins it with another.
+bool is_alike(const Gap& a, const Gap& b)
+{
+    const double common = std::min(a.to, b.to) - std::max(a.from, b.from);
+    return common > 0.5 * std::max(a.width(), b.width());
+}
+
+/// The height between `within` and `beyond` at which a gap, found at `within`, ends.
+double end_of(const std::vector<dem::DrawnUnit>& units, const Gap& gap, double within,
+              double beyond, double least)
+{
+    constexpr int kHalvings = 40; // of a two hundredth of the height of the wall
+    for (int i = 0; i < kHalvings; ++i) {
+        const double z = 0.5 * (within + beyond);
+        const bool goes_on = std::ranges::any_of(
+            gaps_at(units, z, least), [&](const Gap& g) { return is_alike(g, gap); });
+        (goes_on ? within : beyond) = z;
+    }
+    return 0.5 * (within + beyond);
+}
+
 std::vector<dem::Opening> openings_of_drawing(const Masonry& masonry)
 {
     constexpr int kHeights = 200,
                   kFewest = 4; // levels looked at, and those that an opening has
+    const std::vector<dem::DrawnUnit>& units = masonry.geometry.units;
     const double rise = wall_height(masonry) / kHeights, least = least_opening(masonry);
     std::vector<Shaft> open, closed;
+    const auto close_all_open = [&](double z) {
+        for (Shaft& s : open) {
+            s.top = end_of(units, s.gaps.back(), z - rise, z, least);
+            closed.push_back(std::move(s));
+        }
+    };
     for (int i = 0; i < kHeights; ++i) {
         const double z = rise * (i + 0.5);
         std::vector<Shaft> next;
-        for (const Gap& gap : gaps_at(masonry.geometry.units, z, least)) {
+        for (const Gap& gap : gaps_at(units, z, least)) {
             const auto below = std::ranges::find_if(
                 open, [&](const Shaft& s) { return lies_above(gap, s.gaps.back()); });
             if (below == open.end()) {
-                next.push_back({{gap}, z - 0.5 * rise, z + 0.5 * rise});
+                next.push_back(
+                    {{gap}, i == 0 ? 0.0 : end_of(units, gap, z, z - rise, least), 0.0});
                 continue;
             }
             below->gaps.push_back(gap);
-            below->top = z + 0.5 * rise;
             next.push_back(std::move(*below));
             open.erase(below);
         }
-        closed.insert(closed.end(), open.begin(), open.end());
+        close_all_open(z);
         open = std::move(next);
     }
-    closed.insert(closed.end(), open.begin(), open.end());
+    for (Shaft& s : open) {
+        s.top = wall_height(masonry);
+        closed.push_back(std::move(s));
+    }
     std::vector<dem::Opening> openings;
     for (const Shaft& s : closed)
         if (s.gaps.size() >= kFewest) openings.push_back(s.opening());

@@ -228,6 +228,36 @@ TEST_CASE("pier reading: openings of a drawing are found where its stones leave 
     CHECK(app::tells_piers(study, study.load));
 }
 
+TEST_CASE("pier reading: openings of a drawing end where the stones do, at any height",
+          "[app][pier_reading]")
+{
+    std::string outlines;
+    const auto stone = [&](double x0, double z0, double x1, double z1) {
+        const auto n = [](double v) { return std::to_string(v); };
+        outlines += (outlines.empty() ? "" : "; ") + n(x0) + " " + n(z0) + ", " + n(x1) + " " +
+                    n(z0) + ", " + n(x1) + " " + n(z1) + ", " + n(x0) + " " + n(z1);
+    };
+    // two windows with a post between them, below a wide one that joins both
+    stone(0.0, 0.0, 1.7, 0.1307);
+    stone(0.0, 0.1307, 0.4, 0.4111);
+    stone(0.7, 0.1307, 0.9, 0.4111);
+    stone(1.2, 0.1307, 1.7, 0.4111);
+    stone(0.0, 0.4111, 0.4, 0.8013);
+    stone(1.2, 0.4111, 1.7, 0.8013);
+    stone(0.0, 0.8013, 1.7, 1.0);
+    const app::Study study =
+        study_texts::read(study_texts::kSmallWall,
+                          {"wall.outlines=" + outlines, "wall.length=", "wall.courses=",
+                           "wall.course_height=", "wall.unit_length=", "wall.unit_cracks="});
+    auto openings = app::wall_openings(study);
+    std::ranges::sort(openings, {}, &dem::Opening::height);
+    REQUIRE(openings.size() == 2);
+    CHECK(openings[0].z == Approx(0.1307).margin(1e-9));
+    CHECK(openings[0].height == Approx(0.4111 - 0.1307).margin(1e-9));
+    CHECK(openings[1].z == Approx(0.1307).margin(1e-9));
+    CHECK(openings[1].height == Approx(0.8013 - 0.1307).margin(1e-9));
+}
+
 TEST_CASE(
     "pier reading: the mode is that where the pier's own shear came down, not that of the end",
     "[app][pier_reading]")

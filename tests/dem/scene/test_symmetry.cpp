@@ -1,5 +1,6 @@
 /// Walls that are their own mirror image.
 
+#include "dem/scene/drawn_layout.hpp"
 #include "dem/scene/symmetry.hpp"
 
 #include <catch2/catch.hpp>
@@ -37,4 +38,17 @@ TEST_CASE("symmetry: a stone of another kind breaks it, and so does a crack", "[
         return f.kind == dem::FaceKind::unit_crack && std::exchange(first, false);
     });
     CHECK_FALSE(dem::is_symmetric(layout));
+}
+
+TEST_CASE("symmetry: a stone that leans is not symmetric, though its middle and its size are",
+          "[dem][symmetry]")
+{
+    const auto symmetric = [](double lean) {
+        dem::DrawnWall wall;
+        wall.units = {{{{0.0, 0.0}, {0.4, 0.0}, {0.4 + lean, 1.2}, {lean, 1.2}}}};
+        return dem::is_symmetric(dem::drawn_layout(wall, 0.0));
+    };
+    CHECK(symmetric(0.0));
+    CHECK_FALSE(symmetric(-0.15));
+    CHECK_FALSE(symmetric(0.15));
 }
