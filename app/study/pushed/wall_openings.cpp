@@ -131,8 +131,8 @@ std::vector<Gap> gaps_at(const std::vector<dem::DrawnUnit>& units, double z, dou
 
 double least_opening(const Masonry& masonry)
 {
-    constexpr double kOpening = 0.05; // of the length of the wall
-    return kOpening * wall_length(masonry);
+    constexpr double kOpening = 0.05, kWindow = 0.3; // of the length of the wall, [m]
+    return std::min(kOpening * wall_length(masonry), kWindow);
 }
 
 std::vector<dem::Opening> wall_openings(const Masonry& masonry)

@@ -228,6 +228,24 @@ TEST_CASE("pier reading: openings of a drawing are found where its stones leave 
     CHECK(app::tells_piers(study, study.load));
 }
 
+TEST_CASE("pier reading: a window of half a metre is an opening of a long drawn facade, too",
+          "[app][pier_reading]")
+{
+    const auto openings = [](double window) {
+        const std::string to = std::to_string(6.0 + window);
+        const app::Study study = study_texts::read(
+            study_texts::kSmallWall,
+            {"wall.outlines=0 0, 12 0, 12 0.5, 0 0.5; 0 0.5, 6 0.5, 6 2, 0 2; " + to +
+                 " 0.5, 12 0.5, 12 2, " + to + " 2; 0 2, 12 2, 12 2.5, 0 2.5",
+             "wall.length=", "wall.courses=", "wall.course_height=", "wall.unit_length=",
+             "wall.unit_cracks="});
+        return app::wall_openings(study);
+    };
+    REQUIRE(openings(0.5).size() == 1);
+    CHECK(openings(0.5).front().width == Approx(0.5));
+    CHECK(openings(0.29).empty()); // a gap
+}
+
 TEST_CASE("pier reading: openings of a drawing end where the stones do, at any height",
           "[app][pier_reading]")
 {
