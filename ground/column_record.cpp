@@ -2,6 +2,7 @@
 #include "ground/record_text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 
@@ -61,6 +62,16 @@ bool is_unit_of_time(std::string_view text)
     return unit == "s" || unit.starts_with("sec");
 }
 
+/// Whether a line states a unit of velocity or length; a lone m or in may be another word.
+bool states_motion(std::string_view line)
+{
+    constexpr std::array<std::string_view, 8> kUnits = {"cm/s",  "m/s",    "mm/s", "cm/sec",
+                                                        "m/sec", "mm/sec", "cm",   "mm"};
+    return std::ranges::any_of(words_of(line), [&](const std::string& word) {
+        return std::ranges::find(kUnits, word) != kUnits.end();
+    });
+}
+
 /// Refuses columns whose names say that they are not time [s] and an acceleration in a unit
 /// that is known here.
 void check_names(const RecordText& text, std::size_t first, const std::string& unit)
@@ -77,8 +88,10 @@ void check_names(const RecordText& text, std::size_t first, const std::string& u
         if ((columns && first_unit(names) == word) || have('[' + word + ']') ||
             have('(' + word + ')'))
             refuse(text, head, "the times are in " + word + "; convert them to s");
-    if (!columns) return; // a title, which may say anything
-    if (unit.empty() && (have("velocity") || have("displacement")) && !have("acc"))
+    const bool other = (have("velocity") || have("displacement")) && !have("acc");
+    if (!columns && !(other && states_motion(names)))
+        return; // a title, which may say anything else
+    if (unit.empty() && other)
         refuse(text, head,
                "the values are no acceleration; give the record of the accelerations");
     const std::string_view last = last_in_brackets(text.lines[head]);

@@ -45,9 +45,11 @@ IntensityFit rising(const CollapseFit& probit)
 IntensityFit fit_stripes(std::span<const ShakenWallPoint> points, double threshold)
 {
     std::map<std::pair<double, bool>, double> counts; // equal histories are one with a weight
-    double reached = 0.0;
+    double reached = 0.0, least = std::numeric_limits<double>::infinity(),
+           most = 0.0; // that reached it; that did not
     for (const ShakenWallPoint& p : points) {
         const bool yes = has_reached(p, threshold);
+        (yes ? least : most) = yes ? std::min(least, p.intensity) : std::max(most, p.intensity);
         counts[{p.intensity, yes}] += 1.0;
         reached += yes ? 1.0 : 0.0;
     }
@@ -57,7 +59,9 @@ IntensityFit fit_stripes(std::span<const ShakenWallPoint> points, double thresho
     if (probit.outcome == ModelOutcome::absent_mode)
         probit.reason = reached == 0.0 ? "no history reaches it" : "all histories reach it";
     else if (probit.outcome == ModelOutcome::separated)
-        probit.reason = "the intensity tells without error which histories reach it";
+        probit.reason = least == most
+                            ? "histories differ at a single intensity; add intensities near it"
+                            : "the intensity tells without error which histories reach it";
     IntensityFit f = rising(probit);
     f.n = static_cast<double>(points.size());
     f.reached = reached;

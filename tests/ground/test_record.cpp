@@ -161,6 +161,8 @@ TEST_CASE("record: columns of another quantity or unit are refused, not read in 
     };
     refused("time [s], velocity [cm/s]", "no acceleration; give the record of the accel");
     refused("Time (s)  Displacement (cm)", "no acceleration");
+    refused("Ground velocity, m/s", "no acceleration");
+    refused("# Displacement (CM)", "no acceleration");
     refused("time [ms]; acc [m/s2]", "the times are in ms; convert them to s");
     refused("time [s]; acc [mg]", "\"mg\" is no unit of acceleration; use g, m/s2");
     refused("time [ms]; acc [mg]", "the times are in ms", {"g"});
@@ -168,7 +170,8 @@ TEST_CASE("record: columns of another quantity or unit are refused, not read in 
     CHECK(read("time [s]; acc [mg]\n" + rows, {"m/s2"})[0].motion.acceleration[1] == 0.2);
     // titles, and names that say nothing of units
     for (const std::string head :
-         {"Velocity pulse, station (Foo)",
+         {"Velocity pulse, station (Foo)", "Velocity pulse in town, M 6",
+          "Velocity of 2 m/s in its pulse, acc",
           "Acceleration time series (channel 1), min -0.3, max 0.2", "time [s], acc, min -0.3",
           "time [s], accel", "Time (sec) Acc (g)", "time, acceleration", "time [s]"}) {
         INFO(head);
@@ -221,6 +224,14 @@ TEST_CASE("record: a peak that is not the stated one is refused", "[ground][reco
     CHECK_THROWS_WITH(read(replaced(record_texts::esm(40), "PGA_CM/S^2: ", "PGA_CM/S^2: 9")),
                       Contains("the head states a peak"));
     CHECK(read(record_texts::esm(40))[0].stated_peak.has_value());
+    // a wrong step leaves the peak: the duration finds it
+    const std::string lasting =
+        replaced(record_texts::esm(40), "STREAM:", "DURATION_S: 0.195000\nSTREAM:");
+    CHECK(read(lasting)[0].motion.step == 0.005);
+    CHECK(read(replaced(lasting, "0.195", "0.200"))[0].motion.step == 0.005);
+    CHECK_THROWS_WITH(read(replaced(lasting, "0.005000", "0.010000")),
+                      StartsWith("r.txt:24: the head states a duration of 0.195 s, but the "
+                                 "values have 0.39 s"));
 }
 
 TEST_CASE("record: empty, binary and unknown texts, columns of another number are refused",

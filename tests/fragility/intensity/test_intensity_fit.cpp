@@ -120,3 +120,18 @@ TEST_CASE("intensity fit: what no history reaches has no curve and says so",
     CHECK(c.median.lower == 0.0);
     CHECK(std::isinf(c.median.upper));
 }
+
+TEST_CASE("intensity fit: stripes that differ at one intensity or at none say which it is",
+          "[fragility][intensity]")
+{
+    std::vector<ShakenWallPoint> points;
+    for (std::size_t r = 0; r < 4; ++r)
+        for (const double x : {0.1, 0.2, 0.4})
+            points.push_back({0, r, x, x > 0.3 ? 2.0 * kThreshold : 0.0, false});
+    const auto reason = [&] {
+        return fit_intensity(IntensityMethod::stripes, points, kThreshold, kLeast).reason;
+    };
+    CHECK(reason() == "the intensity tells without error which histories reach it");
+    points[1].response = 2.0 * kThreshold; // one of four at 0.2
+    CHECK(reason() == "histories differ at a single intensity; add intensities near it");
+}
