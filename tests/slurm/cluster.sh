@@ -44,15 +44,21 @@ CONF
 
 start_node() { slurmd -N "n$1" -f "$SLURM_CONF"; }
 
-kill_node() { # $1: number; the node and all its jobs die at once
-    local job process
-    for job in $(squeue -h -t R -w "n$1" -o %A); do pkill -KILL -f "^slurmstepd: .$job\\." || :; done
-    kill -KILL "$(cat "$cluster/slurmd.n$1.pid")"
+kill_own() { # $1: line of its environment; $2: begin of its command; of this cluster and of no other
+    local process environment
     for process in /proc/[0-9]*; do
-        if tr '\0' '\n' 2>/dev/null <"$process/environ" | grep -qx "SLURMD_NODENAME=n$1"; then
-            kill -KILL "${process#/proc/}" 2>/dev/null || :
-        fi
+        environment=$(tr '\0' '\n' 2>/dev/null <"$process/environ") || continue
+        grep -qx "SLURM_CONF=$SLURM_CONF" <<<"$environment" && grep -qx "$1" <<<"$environment" &&
+            tr '\0' ' ' 2>/dev/null <"$process/cmdline" | grep -q "^$2" || continue
+        kill -KILL "${process#/proc/}" 2>/dev/null || :
     done
+}
+
+kill_node() { # $1: number; the node and all its jobs die at once
+    local job
+    for job in $(squeue -h -t R -w "n$1" -o %A); do kill_own ".*" "slurmstepd: .$job\\."; done
+    kill -KILL "$(cat "$cluster/slurmd.n$1.pid")"
+    kill_own "SLURMD_NODENAME=n$1" ""
 }
 
 start_cluster() { # $1: directory
@@ -81,7 +87,7 @@ start_cluster() { # $1: directory
 
 stop_cluster() {
     local file
-    pkill -KILL -f "^slurmstepd: " || :
+    kill_own ".*" "slurmstepd: "
     for file in "$cluster"/*.pid; do
         [[ ! -e $file ]] || kill -KILL "$(cat "$file")" 2>/dev/null || :
     done
