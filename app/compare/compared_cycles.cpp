@@ -83,7 +83,8 @@ Table compared_cycle_table(const std::vector<Compared>& all)
     t.title = "Cycles side by side";
     t.caption =
         "Each cycle goes from zero displacement to zero. Amplitude: half the distance of its "
-        "extremes. Forces: the largest to the right and to the left. Energy: the area of its "
+        "extremes; of a cycle to one side its extreme. Forces: the largest to the right and to "
+        "the left. Energy: the area of its "
         "loop. Damping: equivalent viscous, energy / (2 pi F d), with F d the mean of both "
         "sides. Stiffness: of the line between both extremes.";
     t.keys = 2;

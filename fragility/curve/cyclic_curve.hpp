@@ -44,7 +44,7 @@ struct Cycle {
 /// @throws std::invalid_argument if the lengths differ or a value is not finite
 [[nodiscard]] std::vector<Cycle> cycles(const Path& path);
 
-/// Half the distance of both extremes.
+/// Half the distance of both extremes; of a cycle to one side its extreme.
 [[nodiscard]] double amplitude(const Cycle& cycle);
 
 /// Equivalent viscous damping: energy / (2 pi F d), with F d the mean of both sides (Jacobsen;

@@ -56,18 +56,20 @@ struct QuantileData {
 
 /// Chooses and reads. Walls that all fell, in two heaps that lie apart, are the mixture of
 /// these heaps where no modes are known, or one of them has no law that describes it. Of two
-/// modes or more, the mixture is used where one of them has a law
-/// that describes it. Of one, and where the modes do no more than part walls that stood from
-/// those that fell, the law is used where it describes the walls. Where some of these walls
-/// stood when their push ended, shares above half of those reached are read from the shares
-/// observed: a second heap of walls beyond the end, which no test sees, bends the law there.
+/// modes or more, the mixture is used where one of them has a law that describes it. Of one,
+/// and where the modes do no more than part walls that stood from those that fell, the law is
+/// used where it describes the walls. Where some of these walls stood when their push ended,
+/// shares above half of those reached are read from the shares observed: a second heap of walls
+/// beyond the end, which no test sees, bends the law there. All else is read from the shares
+/// observed.
+///
 /// Intervals by a law hold those of the other laws that the walls do not tell apart from it
 /// (possible_laws.hpp). Where walls that all fell may be in two heaps, but not for sure, the
-/// intervals of the law hold those of the heaps. All else is read from the shares observed. A quantile beyond
-/// tested_to is a lower bound: the smaller of the lower end of its interval and tested_to.
-/// Where the band of a mixture breaks (a mode of one or two walls has no band), an end of the
-/// interval that it does not give is that of the ranks of all walls, which need no law. A bound
-/// from below holds for all larger shares, and one from above for all smaller ones.
+/// intervals of the law hold those of the heaps. A quantile beyond tested_to is a lower bound:
+/// the smaller of the lower end of its interval and tested_to. Where the band of a mixture
+/// breaks (a mode of one or two walls has no band), an end of the interval that it does not
+/// give is that of the ranks of all walls, which need no law. A bound from below holds for all
+/// larger shares, and one from above for all smaller ones.
 /// @param law one law of all walls, from performance_limits of the same walls
 /// @throws std::invalid_argument for a confidence not in (0, 1), and for values that are not
 /// numbers
