@@ -44,12 +44,11 @@ CONF
 
 start_node() { slurmd -N "n$1" -f "$SLURM_CONF"; }
 
-kill_own() { # $1: line of its environment; $2: begin of its command; of this cluster and of no other
-    local process environment
-    for process in /proc/[0-9]*; do
-        environment=$(tr '\0' '\n' 2>/dev/null <"$process/environ") || continue
-        grep -qx "SLURM_CONF=$SLURM_CONF" <<<"$environment" && grep -qx "$1" <<<"$environment" &&
-            tr '\0' ' ' 2>/dev/null <"$process/cmdline" | grep -q "^$2" || continue
+kill_own() { # $1: line of its environment; $2: begin of its command; of this cluster and of no other, at once
+    local process
+    for process in $(grep -lzxF "SLURM_CONF=$SLURM_CONF" /proc/[0-9]*/environ 2>/dev/null); do
+        process=${process%/environ}
+        grep -qzx "$1" "$process/environ" 2>/dev/null && grep -qa "^$2" "$process/cmdline" 2>/dev/null || continue
         kill -KILL "${process#/proc/}" 2>/dev/null || :
     done
 }
