@@ -1,8 +1,8 @@
 #include "app/fragility/say_answer.hpp"
 
 #include "app/fragility/numbers/answer_table.hpp"
-#include "app/fragility/numbers/drift_fits.hpp"
 #include "app/fragility/numbers/fragility_data.hpp"
+#include "app/fragility/numbers/limit_drifts.hpp"
 #include "app/output/picture/markup.hpp"
 #include "app/output/progress.hpp"
 #include "app/output/table/table.hpp"
@@ -18,7 +18,7 @@ void say_answer(const std::string& file, bool quiet)
     Progress progress(std::cerr, stderr_progress(quiet), steady_seconds);
     const StudyWalls walls = read_study_walls(file, {});
     DriftData data = drift_data(walls);
-    judge(data, [&](double done, const std::string& fit) {
+    choose_limits(data, [&](double done, const std::string& fit) {
         end_if_interrupted();
         progress.update(done, "testing the fit of " + fit);
     });

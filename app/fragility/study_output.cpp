@@ -7,8 +7,8 @@
 #include "app/fragility/fragility_modes.hpp"
 #include "app/fragility/fragility_walls.hpp"
 #include "app/fragility/numbers/answer_table.hpp"
-#include "app/fragility/numbers/drift_fits.hpp"
 #include "app/fragility/numbers/fragility_limits.hpp"
+#include "app/fragility/numbers/limit_drifts.hpp"
 #include "app/fragility/numbers/measured_drifts.hpp"
 #include "app/fragility/numbers/model_doubt.hpp"
 #include "app/fragility/numbers/sampling_errors.hpp"
@@ -72,8 +72,8 @@ std::string remarks_of(const StudyWalls& walls)
     return text;
 }
 
-/// @param data judged
-FragilityOutput judged_output(const DriftData& data)
+/// @param data with its limit drifts chosen
+FragilityOutput chosen_output(const DriftData& data)
 {
     FragilityOutput output;
     output.source = counts_text(data);
@@ -99,15 +99,15 @@ FragilityOutput judged_output(const DriftData& data)
 
 FragilityOutput drift_output(DriftData data, const FitProgress& seen)
 {
-    judge(data, seen);
-    return judged_output(data);
+    choose_limits(data, seen);
+    return chosen_output(data);
 }
 
 FragilityOutput study_output(const StudyWalls& walls, const FitProgress& seen)
 {
     DriftData data = drift_data(walls);
-    judge(data, seen);
-    FragilityOutput output = judged_output(data);
+    choose_limits(data, seen);
+    FragilityOutput output = chosen_output(data);
     output.remarks = study_remarks(walls);
     output.told_by_study = output.remarks.size();
     output.remarks += remarks_of(walls);

@@ -5,8 +5,8 @@
 #include "app/fragility/fragility_means.hpp"
 #include "app/fragility/fragility_modes.hpp"
 #include "app/fragility/fragility_walls.hpp"
-#include "app/fragility/numbers/drift_fits.hpp"
 #include "app/fragility/numbers/fragility_limits.hpp"
+#include "app/fragility/numbers/limit_drifts.hpp"
 #include "app/fragility/numbers/model_doubt.hpp"
 #include "app/fragility/solver_error_table.hpp"
 #include "app/input/wall/random_layouts.hpp"
@@ -169,7 +169,7 @@ std::string curve_ways(const StudyWalls& study)
 Json report_data(const StudyWalls& study, const WallList& listed, const FitProgress& seen)
 {
     DriftData data = drift_data(study);
-    judge(data, seen);
+    choose_limits(data, seen);
     return {{"name", study.name},
             {"overview", overview_json(study, data)},
             {"levels", levels_json(study)},

@@ -9,6 +9,8 @@
 #include "fragility/fits/goodness_of_fit.hpp"
 #include "fragility/fits/observation.hpp"
 #include "fragility/laws/law.hpp"
+#include "fragility/limits/limit_quantiles.hpp"
+#include "fragility/limits/performance_limits.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -40,6 +42,12 @@ struct JudgedFit {
     fragility::GoodnessOfFit tests;
 };
 
+struct LimitDrifts {
+    fragility::LimitQuantiles quantiles;
+    fragility::PerformanceLimits law; ///< one law of all walls, whether it is used or not
+    JudgedFit judged;                 ///< that law and its tests
+};
+
 struct DriftGroup {
     std::string name;             ///< "0.75 MPa"
     std::optional<double> stress; ///< [MPa]
@@ -47,7 +55,9 @@ struct DriftGroup {
     std::size_t failed = 0;       ///< ran and gave none
     std::size_t missing = 0;      ///< of the study, not in this file
     std::vector<JudgedFit>
-        fits;              ///< see app/fragility/numbers/drift_fits.hpp; empty: not judged yet
+        fits; ///< see app/fragility/numbers/drift_fits.hpp; empty: not judged yet
+    std::vector<LimitDrifts>
+        limits;            ///< of each limit state, see limit_drifts.hpp; empty: not chosen yet
     AppliedFactor model{}; ///< error of the model, on every limit drift of the walls' own
 };
 

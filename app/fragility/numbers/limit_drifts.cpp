@@ -1,6 +1,5 @@
 #include "app/fragility/numbers/limit_drifts.hpp"
 
-#include "app/fragility/numbers/drift_fits.hpp"
 #include "app/output/table/cells.hpp"
 #include "core/interval.hpp"
 
@@ -75,6 +74,7 @@ void widen(LimitQuantiles& quantiles, const LimitQuantiles& other)
 LimitDrifts limit_drifts(const DriftData& data, std::size_t group, std::size_t state)
 {
     const DriftGroup& g = data.groups[group];
+    if (!g.limits.empty()) return g.limits[state];
     LimitDrifts found{{}, law_of(data, g, state), judged_fit(data, group, state)};
     const double confidence = data.options.confidence;
     found.quantiles = fragility::limit_quantiles(quantile_data(data, group, state, {}),
@@ -87,6 +87,17 @@ LimitDrifts limit_drifts(const DriftData& data, std::size_t group, std::size_t s
                                    quantile_data(data, group, state, end), law, confidence));
     }
     return found;
+}
+
+void choose_limits(DriftData& data, const FitProgress& seen)
+{
+    judge(data, seen);
+    for (std::size_t g = 0; g < data.groups.size(); ++g) {
+        std::vector<LimitDrifts> limits;
+        for (std::size_t s = 0; s < data.states.size(); ++s)
+            limits.push_back(limit_drifts(data, g, s));
+        data.groups[g].limits = std::move(limits);
+    }
 }
 
 bool identified(const LimitDrifts& limits)

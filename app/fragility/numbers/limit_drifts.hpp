@@ -2,10 +2,8 @@
 /// The limit drifts of a group of walls, chosen once: tables, pages, curves, files for other
 /// programs read them here.
 
-#include "app/fragility/numbers/fragility_data.hpp"
+#include "app/fragility/numbers/drift_fits.hpp"
 #include "app/output/table/table.hpp"
-#include "fragility/limits/limit_quantiles.hpp"
-#include "fragility/limits/performance_limits.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -13,11 +11,9 @@
 
 namespace app {
 
-struct LimitDrifts {
-    fragility::LimitQuantiles quantiles;
-    fragility::PerformanceLimits law; ///< one law of all walls, whether it is used or not
-    JudgedFit judged;                 ///< that law and its tests
-};
+/// Judges all laws and chooses the drifts of all limit states, once; without it each table does
+/// so for itself.
+void choose_limits(DriftData& data, const FitProgress& seen = {});
 
 /// The drifts, in intervals that hold wherever the drifts of walls that miss the accuracy lie
 /// within their error.
