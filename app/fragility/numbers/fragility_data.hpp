@@ -57,7 +57,7 @@ struct DriftGroup {
     std::vector<JudgedFit>
         fits; ///< see app/fragility/numbers/drift_fits.hpp; empty: not judged yet
     std::vector<LimitDrifts>
-        limits;            ///< of each limit state, see limit_drifts.hpp; empty: not chosen yet
+        limits{};          ///< of each limit state, see limit_drifts.hpp; empty: not chosen yet
     AppliedFactor model{}; ///< error of the model, on every limit drift of the walls' own
 };
 
