@@ -1,4 +1,5 @@
 #include "app/fragility/numbers/fragility_limits.hpp"
+#include "app/fragility/numbers/limit_drifts.hpp"
 
 #include "app/fragility/fragility_curves.hpp"
 #include "app/fragility/numbers/drift_fits.hpp"
@@ -411,4 +412,21 @@ TEST_CASE("fragility limits: fits made once give the tables that each makes for 
     CHECK(std::is_sorted(told.begin(), told.end()));
     CHECK(told.front() == 0.0);
     CHECK(told.back() == Approx(0.975));
+}
+
+TEST_CASE("fragility limits: drifts chosen once give the tables that each makes for itself",
+          "[app][fragility_limits]")
+{
+    app::DriftData data = scenes::drifts({{1.0, 2.0, 4.0, 2.5, 3.0}, {2.0, 1.0, 1.5}});
+    data.options.bootstrap = 20;
+    data.states.push_back(data.states.front());
+    for (app::DriftGroup& group : data.groups)
+        for (app::DriftWall& wall : group.walls)
+            wall.limits.push_back(fragility::observed(2.0 * wall.limits.front()->lower + 1.0));
+    const std::string limits = app::as_csv(app::performance_table(data)),
+                      pelicun = app::pelicun_csv(data);
+    app::choose_limits(data);
+    REQUIRE(data.groups.front().limits.size() == 2);
+    CHECK(app::as_csv(app::performance_table(data)) == limits);
+    CHECK(app::pelicun_csv(data) == pelicun);
 }
