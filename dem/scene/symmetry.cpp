@@ -1,5 +1,6 @@
 #include "dem/scene/symmetry.hpp"
 
+#include "dem/scene/geometry/polygon.hpp"
 #include "dem/scene/touching.hpp"
 
 #include <algorithm>
@@ -38,15 +39,6 @@ std::vector<Mark> marks_of(const Layout& layout)
     return marks;
 }
 
-double distance(Point p, Point a, Point b)
-{
-    const Point way{b.x - a.x, b.z - a.z}, to{p.x - a.x, p.z - a.z};
-    const double length = way.x * way.x + way.z * way.z;
-    const double share =
-        length > 0.0 ? std::clamp((to.x * way.x + to.z * way.z) / length, 0.0, 1.0) : 0.0;
-    return std::hypot(to.x - share * way.x, to.z - share * way.z);
-}
-
 /// Whether the mirror image of each corner of a block lies on the outline of the other.
 bool is_mirrored(const Block& block, const Block& other, double axis, double close)
 {
@@ -54,7 +46,8 @@ bool is_mirrored(const Block& block, const Block& other, double axis, double clo
     return std::ranges::all_of(corners, [&](Point p) {
         p.x = 2.0 * axis - p.x;
         for (std::size_t i = 0; i < outline.size(); ++i)
-            if (distance(p, outline[i], outline[(i + 1) % outline.size()]) < close) return true;
+            if (distance_to_segment(p, outline[i], outline[(i + 1) % outline.size()]) < close)
+                return true;
         return false;
     });
 }

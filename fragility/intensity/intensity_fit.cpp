@@ -45,11 +45,15 @@ IntensityFit rising(const CollapseFit& probit)
 IntensityFit fit_stripes(std::span<const ShakenWallPoint> points, double threshold)
 {
     std::map<std::pair<double, bool>, double> counts; // equal histories are one with a weight
-    double reached = 0.0, least = std::numeric_limits<double>::infinity(),
-           most = 0.0; // that reached it; that did not
+    double reached = 0.0;
+    // the lowest intensity that reached the threshold, and the highest that did not
+    double lowest = std::numeric_limits<double>::infinity(), highest = 0.0;
     for (const ShakenWallPoint& p : points) {
         const bool yes = has_reached(p, threshold);
-        (yes ? least : most) = yes ? std::min(least, p.intensity) : std::max(most, p.intensity);
+        if (yes)
+            lowest = std::min(lowest, p.intensity);
+        else
+            highest = std::max(highest, p.intensity);
         counts[{p.intensity, yes}] += 1.0;
         reached += yes ? 1.0 : 0.0;
     }
@@ -59,7 +63,7 @@ IntensityFit fit_stripes(std::span<const ShakenWallPoint> points, double thresho
     if (probit.outcome == ModelOutcome::absent_mode)
         probit.reason = reached == 0.0 ? "no history reaches it" : "all histories reach it";
     else if (probit.outcome == ModelOutcome::separated)
-        probit.reason = least == most
+        probit.reason = lowest == highest
                             ? "histories differ at a single intensity; add intensities near it"
                             : "the intensity tells without error which histories reach it";
     IntensityFit f = rising(probit);

@@ -53,10 +53,10 @@ std::vector<LimitQuantile> from_shares(std::span<const Observation> walls, doubl
     return found;
 }
 
-/// Widens an interval by the ends that another one gives.
+/// Widens an interval by the ends that another one gives: neither 0 nor infinite.
 void hold(core::Interval& interval, const core::Interval& other)
 {
-    if (other.lower > 0.0) interval.lower = std::min(interval.lower, other.lower);
+    if (other.lower != 0.0) interval.lower = std::min(interval.lower, other.lower);
     if (std::isfinite(other.upper)) interval.upper = std::max(interval.upper, other.upper);
 }
 

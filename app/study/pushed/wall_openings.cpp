@@ -57,7 +57,8 @@ bool is_alike(const Gap& a, const Gap& b)
     return common > 0.5 * std::max(a.width(), b.width());
 }
 
-/// The height between `within` and `beyond` at which a gap, found at `within`, ends.
+/// The height between `within` and `beyond` at which a gap, found at `within`, ends; `beyond`
+/// where it goes on to there.
 double end_of(const std::vector<dem::DrawnUnit>& units, const Gap& gap, double within,
               double beyond, double least)
 {
@@ -68,7 +69,7 @@ double end_of(const std::vector<dem::DrawnUnit>& units, const Gap& gap, double w
             gaps_at(units, z, least), [&](const Gap& g) { return is_alike(g, gap); });
         (goes_on ? within : beyond) = z;
     }
-    return 0.5 * (within + beyond);
+    return beyond;
 }
 
 std::vector<dem::Opening> openings_of_drawing(const Masonry& masonry)
@@ -76,36 +77,35 @@ std::vector<dem::Opening> openings_of_drawing(const Masonry& masonry)
     constexpr int kHeights = 200,
                   kFewest = 4; // levels looked at, and those that an opening has
     const std::vector<dem::DrawnUnit>& units = masonry.geometry.units;
-    const double rise = wall_height(masonry) / kHeights, least = least_opening(masonry);
+    const double height = wall_height(masonry), rise = height / kHeights,
+                 least = least_opening(masonry);
     std::vector<Shaft> open, closed;
-    const auto close_all_open = [&](double z) {
+    const auto close_all_open = [&](double within, double beyond) {
         for (Shaft& s : open) {
-            s.top = end_of(units, s.gaps.back(), z - rise, z, least);
+            s.top = end_of(units, s.gaps.back(), within, beyond, least);
             closed.push_back(std::move(s));
         }
     };
+    double below = 0.0; // the level before, or the ground
     for (int i = 0; i < kHeights; ++i) {
         const double z = rise * (i + 0.5);
         std::vector<Shaft> next;
         for (const Gap& gap : gaps_at(units, z, least)) {
-            const auto below = std::ranges::find_if(
+            const auto lower = std::ranges::find_if(
                 open, [&](const Shaft& s) { return lies_above(gap, s.gaps.back()); });
-            if (below == open.end()) {
-                next.push_back(
-                    {{gap}, i == 0 ? 0.0 : end_of(units, gap, z, z - rise, least), 0.0});
+            if (lower == open.end()) {
+                next.push_back({{gap}, end_of(units, gap, z, below, least), 0.0});
                 continue;
             }
-            below->gaps.push_back(gap);
-            next.push_back(std::move(*below));
-            open.erase(below);
+            lower->gaps.push_back(gap);
+            next.push_back(std::move(*lower));
+            open.erase(lower);
         }
-        close_all_open(z);
+        close_all_open(below, z);
         open = std::move(next);
+        below = z;
     }
-    for (Shaft& s : open) {
-        s.top = wall_height(masonry);
-        closed.push_back(std::move(s));
-    }
+    close_all_open(below, height);
     std::vector<dem::Opening> openings;
     for (const Shaft& s : closed)
         if (s.gaps.size() >= kFewest) openings.push_back(s.opening());

@@ -246,6 +246,29 @@ TEST_CASE("pier reading: a window of half a metre is an opening of a long drawn 
     CHECK(openings(0.29).empty()); // a gap
 }
 
+TEST_CASE(
+    "pier reading: a door of a drawing begins at the ground, a sill just above it does not",
+    "[app][pier_reading]")
+{
+    // two posts of 2 m; of the 200 levels that are looked at the first is at 0.005 m
+    const auto openings = [](const std::string& base, const std::string& z) {
+        const app::Study study =
+            study_texts::read(study_texts::kSmallWall,
+                              {"wall.outlines=" + base + "0 " + z + ", 0.4 " + z +
+                                   ", 0.4 2, 0 2; 0.8 " + z + ", 1.2 " + z + ", 1.2 2, 0.8 2",
+                               "wall.length=", "wall.courses=", "wall.course_height=",
+                               "wall.unit_length=", "wall.unit_cracks="});
+        return app::wall_openings(study);
+    };
+    const auto door = openings("", "0");
+    REQUIRE(door.size() == 1);
+    CHECK(door.front().z == 0.0);
+    CHECK(door.front().height == 2.0); // up to the beam
+    const auto window = openings("0 0, 1.2 0, 1.2 0.002, 0 0.002; ", "0.002");
+    REQUIRE(window.size() == 1);
+    CHECK(window.front().z == Approx(0.002).margin(1e-9));
+}
+
 TEST_CASE("pier reading: openings of a drawing end where the stones do, at any height",
           "[app][pier_reading]")
 {
