@@ -15,7 +15,7 @@ char lower_char(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// NaN and infinities are numbers here.
+/// NaN and infinities are numbers here; Fortran's 1.5D-03 is one.
 std::optional<double> any_number(std::string_view text)
 {
     text = stripped(text);
@@ -23,7 +23,12 @@ std::optional<double> any_number(std::string_view text)
     if (text.empty() || text.starts_with('+')) return {};
     double x = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
-    if (end != text.data() + text.size()) return {};
+    if (const auto at = static_cast<std::size_t>(end - text.data()); at < text.size()) {
+        if (at == 0 || (text[at] != 'D' && text[at] != 'd')) return {};
+        std::string plain(text);
+        plain[at] = 'E';
+        return any_number(plain);
+    }
     if (error == std::errc::result_out_of_range) { // 1E-320 is 0, 1E+320 none
         std::istringstream in{std::string(text)};
         in.imbue(std::locale::classic());
@@ -117,7 +122,7 @@ std::optional<double> number_after(std::string_view line, std::string_view key)
     std::size_t end = 0;
     while (end < rest.size() &&
            (is_digit(rest[end]) ||
-            std::string_view(".+-eE").find(rest[end]) != std::string_view::npos))
+            std::string_view(".+-eEdD").find(rest[end]) != std::string_view::npos))
         ++end;
     for (; end > 0; --end) // "SEC" may follow at once
         if (const auto x = number_of(rest.substr(0, end))) return x;

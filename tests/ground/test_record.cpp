@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <string>
 
@@ -93,6 +94,20 @@ TEST_CASE("record: values that touch each other are told apart", "[ground][recor
     CHECK(r[0].motion.acceleration[1] == Approx(-0.025));
     CHECK(r[0].motion.acceleration[2] == Approx(-0.00325));
     CHECK(r[0].motion.acceleration[3] == Approx(0.04));
+}
+
+TEST_CASE("record: exponents with Fortran's D are numbers", "[ground][record]")
+{
+    std::string text = record_texts::at2(40);
+    std::ranges::replace(text.begin() + static_cast<std::ptrdiff_t>(text.find("SEC,")),
+                         text.end(), 'E', 'D'); // SEC becomes SDC
+    text = replaced(replaced(text, "SDC", "SEC"), " .0050", " 5.D-3");
+    REQUIRE(text.find("E-") == std::string::npos);
+    const auto e = read(record_texts::at2(40)), d = read(text);
+    CHECK(d[0].motion.step == e[0].motion.step);
+    CHECK(d[0].motion.acceleration == e[0].motion.acceleration);
+    CHECK_THROWS_WITH(read("IN UNITS OF G\nNPTS= 3, DT= .01\n0.1 1D2D3 0.1\n"),
+                      Contains("is no number"));
 }
 
 TEST_CASE("record: fewer or more values than stated are refused with the line",
