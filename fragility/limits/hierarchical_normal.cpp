@@ -52,7 +52,7 @@ std::vector<Node> scale_rule(double unit, std::size_t panels, const ScalePrior& 
     std::vector<double> edges;
     for (std::size_t p = 0; p < panels; ++p)
         edges.push_back(static_cast<double>(p) / static_cast<double>(panels));
-    for (double left = 0.5 * (1.0 - edges.back()); unit / left < 2.0 * prior.half_normal;
+    for (double left = 0.5 * (1.0 - edges.back()); unit / left < 2.0 * prior.half_t;
          left *= 0.5)
         edges.push_back(1.0 - left);
     edges.push_back(1.0);
@@ -61,8 +61,8 @@ std::vector<Node> scale_rule(double unit, std::size_t panels, const ScalePrior& 
         const double u = n.at;
         n.at = unit * u / (1.0 - u);
         n.weight *= unit / ((1.0 - u) * (1.0 - u));
-        if (prior.half_normal > 0.0)
-            n.weight *= std::exp(-0.5 * std::pow(n.at / prior.half_normal, 2));
+        if (prior.half_t > 0.0)
+            n.weight *= std::pow(1.0 + 0.25 * std::pow(n.at / prior.half_t, 2), -2.5);
     }
     return nodes;
 }
@@ -166,9 +166,9 @@ std::size_t check(std::span<const LevelledValue> data, const ScalePrior& prior)
     for (std::size_t i = 0; i < n; ++i)
         if (std::ranges::count(data, i, &LevelledValue::level) == 0)
             throw std::invalid_argument("hierarchical model: a level without values");
-    if (!(prior.half_normal >= 0.0))
+    if (!(prior.half_t >= 0.0))
         throw std::invalid_argument("hierarchical model: a prior without scale");
-    if (prior.half_normal == 0.0 && (n < 3 || known == 0))
+    if (prior.half_t == 0.0 && (n < 3 || known == 0))
         throw std::invalid_argument(
             "hierarchical model: a flat prior needs three levels and known errors");
     return n;

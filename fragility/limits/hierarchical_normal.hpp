@@ -2,8 +2,8 @@
 /// Hierarchical normal model of logarithms of test over prediction: walls of one level share an
 /// error of the model, repeats of a level scatter about it, and levels about the common mean:
 ///     y_ij = mu + d_i + e_ij,   d_i ~ N(0, tau^2),   e_ij ~ N(0, s^2)
-/// Rubin (1981), J. Educ. Stat. 6, 377-401; Gelman (2006), Bayesian Analysis 1, 515-534 (priors
-/// of tau). The posterior is integrated by quadrature, without random numbers.
+/// Rubin (1981), J. Educ. Stat. 6, 377-401; Gelman (2006), Bayesian Analysis 1, 515-534 (half-t
+/// priors of scales). The posterior is integrated by quadrature, without random numbers.
 
 #include "core/interval.hpp"
 
@@ -20,9 +20,11 @@ struct LevelledValue {
     double error = 0.0; ///< known standard deviation of e; 0: the common s, which is not known
 };
 
-/// Prior of tau, and of s: flat on (0, infinity), or half-normal. That of mu is flat.
+/// Prior of tau, and of s: flat on (0, infinity), or half-t with four degrees of freedom, whose
+/// mean and standard deviation are its scale. Its tail, unlike that of a half-normal prior,
+/// gives way to values that scatter widely. The prior of mu is flat.
 struct ScalePrior {
-    double half_normal = 0.0; ///< scale of the half-normal prior; 0: flat
+    double half_t = 0.0; ///< scale of the half-t prior; 0: flat
 };
 
 /// The joint posterior as weighted points; the weights sum to 1.

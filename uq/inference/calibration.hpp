@@ -8,7 +8,7 @@
 /// y_ij is what test j says of answer i, m_i what the model says at the inputs z, v_i the doubt
 /// of a surrogate in place of the model, w_i a scatter of walls that the model itself shows.
 /// Answers of one quantity q share tau_q and s_q. z has independent standard normal priors, tau
-/// and s half-normal ones.
+/// and s half-t ones with four degrees of freedom (Gelman 2006, Bayesian Analysis 1, 515-534).
 
 #include "uq/inference/adaptive_metropolis.hpp"
 #include "uq/inference/chain_diagnostics.hpp"
@@ -45,7 +45,7 @@ struct CalibrationProblem {
     std::vector<MeasuredAnswer> tests;
     Eigen::VectorXd own;       ///< w of each answer, >= 0; empty: 0
     bool discrepancy = true;   ///< false: tau is 0
-    double prior_scale = 0.25; ///< of the half-normal priors of tau and s, > 0
+    double prior_scale = 0.25; ///< of the half-t priors of tau and s, which is their mean, > 0
 };
 
 /// @throws std::invalid_argument naming what is out of range

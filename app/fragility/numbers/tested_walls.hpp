@@ -41,9 +41,9 @@ struct TestedWall {
 [[nodiscard]] std::vector<fragility::LevelledValue>
 log_ratios(std::span<const TestedWall> walls);
 
-/// Half-normal priors of both scatters: 0.25, so that 95 % of them lie below 0.5. Three or four
-/// levels alone do not fix a scatter: a prior twice as wide makes the dispersion of the drifts
-/// 0.6 (docs/fragility.md).
+/// Half-t priors of both scatters: of mean 0.25, so that 95 % of them lie below 0.7. Three or
+/// four levels alone do not fix a scatter: a prior twice as wide makes the dispersion of the
+/// drifts 0.65 in place of 0.46. docs/bench/fragility/factor_coverage.md has what they hold.
 inline constexpr fragility::ScalePrior kFactorPrior{0.25};
 
 /// The factor with its doubt, and intervals of 90 % of both.
@@ -66,7 +66,7 @@ struct AppliedFactor {
 /// (ln median)^2.
 [[nodiscard]] AppliedFactor applied_factor(const Study& study, double stress, Answer answer);
 
-/// "fragility.model_factor = tests. The factor of the tests ... has the median 0.78 [0.5, 1.2]
+/// "fragility.model_factor = tests. The factor of the tests ... has the median 0.79 [0.55, 1.15]
 /// ...", for captions.
 [[nodiscard]] std::string factor_text(const dem::SolverOptions& solver,
                                       const FragilityInput& fragility, Answer answer);

@@ -21,7 +21,7 @@ constexpr std::array kCalibrationKeys = {
         .meaning = "yes: the model may be wrong under each stress, and the posterior says so (Kennedy and O'Hagan 2001); no: tests scatter about the model",
         .field = kAt<&Study::calibration, &CalibrationInput::discrepancy>},
     Key{.name = "calibration.scatter", .range = {'(', 0, 3, ']'}, .used = kCalibrated, .verbs = "calibrate",
-        .meaning = "scale of the half-normal priors of discrepancy and scatter of repeats, of ln of what is measured",
+        .meaning = "scale of the half-t priors of discrepancy and scatter of repeats, of ln of what is measured",
         .field = kAt<&Study::calibration, &CalibrationInput::scatter>},
 };
 // clang-format on

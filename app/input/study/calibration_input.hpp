@@ -9,7 +9,7 @@ namespace app {
 struct CalibrationInput {
     std::string inputs;      ///< keys between commas, or "all"; empty: a factor alone
     bool discrepancy = true; ///< of the model under each stress
-    double scatter = 0.25;   ///< scale of half-normal priors, of ln [-], > 0
+    double scatter = 0.25;   ///< scale of half-t priors, of ln [-], > 0
 };
 
 } // namespace app

@@ -50,6 +50,15 @@ struct World {
     VectorXd further;
 };
 
+/// A scale drawn from its prior: Student's t of four degrees of freedom, either sign.
+double scale(uq::Stream& random)
+{
+    const double normal = random.normal();
+    double squares = 0.0;
+    for (int i = 0; i < 4; ++i) squares += std::pow(random.normal(), 2);
+    return 0.25 * std::abs(normal) / std::sqrt(squares / 4.0);
+}
+
 /// @param biases of the levels: what the model does not know. Empty: those of the prior, and so
 /// is the scatter of repeats, which is 5 % else
 World world(std::uint64_t repetition, const VectorXd& biases)
@@ -58,8 +67,7 @@ World world(std::uint64_t repetition, const VectorXd& biases)
     const bool prior = biases.size() == 0;
     World w{VectorXd(2), {}, VectorXd::Zero(kLevels + 1)};
     for (double& v : w.z) v = random.normal();
-    const double tau = prior ? 0.25 * std::abs(random.normal()) : 0.0,
-                 s = prior ? 0.25 * std::abs(random.normal()) : 0.05;
+    const double tau = prior ? scale(random) : 0.0, s = prior ? scale(random) : 0.05;
     w.further = force(w.z).mean;
     if (!prior) w.further += biases;
     for (std::size_t i = 0; i <= kLevels; ++i) {
@@ -184,13 +192,16 @@ TEST_CASE("calibration: without tests of weight, the posterior is the prior and 
     CHECK(uq::has_converged(posterior));
     CHECK(posterior.evidence.log_value == Approx(0.0).margin(0.02));
     const auto points = uq::calibration_points(p, posterior, 4000);
-    double z2 = 0.0, tau2 = 0.0;
+    double z2 = 0.0;
+    std::vector<double> taus;
     for (const uq::CalibrationPoint& at : points) {
         z2 += at.z(0) * at.z(0) / 4000.0;
-        tau2 += at.tau(0) * at.tau(0) / 4000.0; // half-normal: E tau^2 = scale^2
+        taus.push_back(at.tau(0) / p.prior_scale);
     }
+    std::ranges::sort(taus);
     CHECK(z2 == Approx(1.0).epsilon(0.12));
-    CHECK(tau2 == Approx(0.0625).epsilon(0.15));
+    CHECK(taus[2000] == Approx(0.740697).epsilon(0.06)); // 75 and 97.5 % of Student's t
+    CHECK(taus[3800] == Approx(2.776445).epsilon(0.12));
 }
 
 TEST_CASE("calibration: intervals of 90 % hold the truth in 85 to 95 % of 200 repetitions",
