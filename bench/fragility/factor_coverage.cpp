@@ -35,7 +35,7 @@ struct Tests {
 constexpr std::array<Tests, 6> kTests{
     {{3, 1, 0.0}, {4, 2, 0.0}, {4, 2, 0.3}, {2, 4, 0.0}, {8, 1, 0.0}, {10, 3, 0.0}}};
 
-/// What one set of tests is judged by.
+/// Counts of the sets of tests whose factor holds the truth.
 struct Tally {
     int asked = 0, median = 0, dispersion = 0, further = 0, middle = 0;
     double width = 0.0; ///< sum of ln(upper / lower) of the median

@@ -66,8 +66,8 @@ struct AppliedFactor {
 /// (ln median)^2.
 [[nodiscard]] AppliedFactor applied_factor(const Study& study, double stress, Answer answer);
 
-/// "fragility.model_factor = tests. The factor of the tests ... has the median 0.79 [0.55, 1.15]
-/// ...", for captions.
+/// "fragility.model_factor = tests. The factor of the tests ... has the median 0.79 [0.55,
+/// 1.15] ...", for captions.
 [[nodiscard]] std::string factor_text(const dem::SolverOptions& solver,
                                       const FragilityInput& fragility, Answer answer);
 
