@@ -9,16 +9,6 @@
 namespace ground {
 namespace {
 
-/// The text in the last brackets of a line: the unit of its last column. Empty if it has none.
-std::string_view last_in_brackets(std::string_view line)
-{
-    const std::size_t end = line.find_last_of("])");
-    if (end == std::string_view::npos) return {};
-    const std::size_t begin = line.find_last_of("[(", end);
-    if (begin == std::string_view::npos) return {};
-    return stripped(line.substr(begin + 1, end - begin - 1));
-}
-
 /// The unit of the first column: ms of "time [ms]", "Zeit (ms)" or "time_ms".
 std::string first_unit(std::string_view names)
 {
@@ -56,12 +46,6 @@ void check_row(const RecordText& text, std::size_t line)
                        " is no finite number; fill the gap, or cut the record there");
 }
 
-bool is_unit_of_time(std::string_view text)
-{
-    const std::string unit = lower(text);
-    return unit == "s" || unit.starts_with("sec");
-}
-
 /// Whether a line states a unit of velocity or length; a lone m or in may be another word.
 bool states_motion(std::string_view line)
 {
@@ -72,9 +56,9 @@ bool states_motion(std::string_view line)
     });
 }
 
-/// Refuses columns whose names say that they are not time [s] and an acceleration in a unit
-/// that is known here.
-void check_names(const RecordText& text, std::size_t first, const std::string& unit)
+/// Refuses columns whose names say that they are not time [s] and an acceleration.
+/// @param known a unit of acceleration is told or written
+void check_names(const RecordText& text, std::size_t first, bool known)
 {
     std::size_t head = first;
     while (head > 0 && stripped(text.lines[head - 1]).empty()) --head;
@@ -91,14 +75,9 @@ void check_names(const RecordText& text, std::size_t first, const std::string& u
     const bool other = (have("velocity") || have("displacement")) && !have("acc");
     if (!columns && !(other && states_motion(names)))
         return; // a title, which may say anything else
-    if (unit.empty() && other)
+    if (!known && other)
         refuse(text, head,
                "the values are no acceleration; give the record of the accelerations");
-    const std::string_view last = last_in_brackets(text.lines[head]);
-    if (unit.empty() && !last.empty() && !is_unit_of_time(last))
-        refuse(text, head,
-               in_quotes(last) + " is no unit of acceleration; use g, m/s2, cm/s2, mm/s2 or "
-                                 "g/10, or give --acceleration-unit");
 }
 
 int decimals_of(std::string_view number)
@@ -148,14 +127,16 @@ std::vector<Record> column_records(const RecordText& text, const ReadOptions& op
         refuse(text, first,
                "the second column grows as a time does, and the first does not; write time [s] "
                "first, then the acceleration");
-    const std::string unit = unit_above(text, first);
-    check_names(text, first, unit.empty() ? options.unit : unit);
+    const HeadUnit head = unit_above(text, first);
+    const std::string& unit = head.unit;
+    const bool told = !options.unit.empty();
+    check_names(text, first, told || !unit.empty());
+    if (!told && !head.doubt.empty()) refuse(text, head.line, head.doubt);
     const double step = checked_step(text, first, common_step(text, time, line, decimals));
-    if (unit.empty() && options.unit.empty()) check_unsaid(text, first, values);
+    if (!told) check_large(text, first, head, values);
     Record r = record_of(text, options, "two columns", unit.empty() ? "g" : unit, first, step,
                          std::move(values));
-    if (unit.empty() && options.unit.empty())
-        r.remarks.emplace_back("no unit is written: read in g");
+    if (unit.empty() && !told) r.remarks.emplace_back("no unit is written: read in g");
     if (time.front() != 0.0)
         r.remarks.emplace_back("the times of the file do not begin at 0; here they do");
     return {r};

@@ -53,7 +53,14 @@ double acceleration_unit(std::string_view text)
     std::erase_if(unit, [](char c) { return c == ' ' || c == '^' || c == '*'; });
     replace("sec", "s");
     replace("cms/", "cm/");
+    replace("\xE2\x81\xBB", "-"); // superscript minus and 2, dot of a product
     replace("\xC2\xB2", "2");
+    replace("\xC2\xB7", "");
+    replace("\xB2", "2"); // the same in Latin-1
+    replace("\xB7", "");
+    replace(".s-2", "/s2");
+    if (unit == "ms-2" || unit == "cms-2" || unit == "mms-2")
+        unit.replace(unit.find("s-2"), 3, "/s2");
     replace("/s/s", "/s2");
     if (unit == "g") return kGravity;
     if (unit == "g/10") return 0.1 * kGravity;

@@ -50,6 +50,21 @@ std::size_t sign_in(std::string_view token)
     return token.size();
 }
 
+/// Refuses values that stand for missing ones: -999 and the like, far from their neighbours.
+/// @param line index of the first value
+void check_missing(const RecordText& text, std::size_t line, const std::vector<double>& values)
+{
+    for (std::size_t i = 1; i + 1 < values.size(); ++i) {
+        const double a = values[i];
+        if (a != -999.0 && a != -9999.0 && a != -99999.0) continue;
+        const auto far = [&](double other) { return std::abs(other) < 0.5 * std::abs(a); };
+        if (far(values[i - 1]) || far(values[i + 1]))
+            refuse(text, line,
+                   "value " + std::to_string(i + 1) + " is " + shown(a) +
+                       ", which stands for a missing one; fill the gap, or cut the record");
+    }
+}
+
 } // namespace
 
 std::string shown(double x)
@@ -245,6 +260,8 @@ Record record_of(const RecordText& text, const ReadOptions& options, std::string
     r.format = format;
     r.unit = options.unit.empty() ? std::string(stripped(unit)) : options.unit;
     const double factor = acceleration_unit(r.unit);
+    if (std::ranges::any_of(r.unit, [](char c) { return c < ' ' || c > '~'; }))
+        r.unit = factor == 1.0 ? "m/s2" : factor == 1e-2 ? "cm/s2" : "mm/s2"; // no Latin-1
     if (factor == 0.0)
         refuse(text, line,
                in_quotes(r.unit) +
@@ -252,6 +269,7 @@ Record record_of(const RecordText& text, const ReadOptions& options, std::string
     if (!options.unit.empty() && acceleration_unit(unit) != factor)
         r.remarks.push_back("read in " + r.unit + " as told, where the file says " +
                             (unit.empty() ? "nothing" : std::string(stripped(unit))));
+    check_missing(text, line, values);
     for (double& a : values) a *= factor;
     constexpr double kMostAcceleration = 100.0 * kGravity;
     for (const double a : values)
@@ -280,6 +298,17 @@ void check_peak(const RecordText& text, std::size_t head, Record& record, double
                "the head states a peak of " + shown(stated * unit) +
                    " m/s2, but the values have " + shown(read) +
                    " m/s2; the unit or the columns are wrong, or the file was changed");
+}
+
+void check_duration(const RecordText& text, std::size_t head, std::optional<double> stated,
+                    std::size_t count, double step, double tolerance)
+{
+    if (!stated) return;
+    const double read = static_cast<double>(count - 1) * step;
+    if (std::abs(*stated - read) > 2.0 * step + tolerance * read)
+        refuse(text, head,
+               "the head states a duration of " + shown(*stated) + " s, but the values have " +
+                   shown(read) + " s; the time step is wrong, or the file was changed");
 }
 
 double common_step(const RecordText& text, const std::vector<double>& time,
@@ -317,10 +346,11 @@ double common_step(const RecordText& text, const std::vector<double>& time,
         refuse(text, line.back(),
                "the time steps are not equal; resample the record at equal steps");
     }
-    // as it was meant: 0.01, not 0.009999997
-    constexpr double kMeant = 1e7;
-    const double meant = std::round(step * kMeant) / kMeant;
-    return std::abs(meant - step) * static_cast<double>(n - 1) <= 2.0 * rounding ? meant : step;
+    for (const double in_a_second : {1e4, 1e5, 1e6, 1e7}) { // as meant: 0.01, not 0.009999997
+        const double meant = std::round(step * in_a_second) / in_a_second;
+        if (std::abs(meant - step) * static_cast<double>(n - 1) <= 2.0 * rounding) return meant;
+    }
+    return step;
 }
 
 } // namespace ground

@@ -78,6 +78,13 @@ struct Values {
 void check_peak(const RecordText& text, std::size_t head, Record& record, double stated,
                 double unit);
 
+/// Refuses a step that does not make the duration [s] which the head states: the peak, which
+/// is compared too, stays what it is with a wrong step.
+/// @param head index of the line that states it
+/// @param tolerance share of the duration, beside two steps
+void check_duration(const RecordText& text, std::size_t head, std::optional<double> stated,
+                    std::size_t count, double step, double tolerance = 0.01);
+
 [[nodiscard]] std::vector<Record> at2_records(const RecordText&, const ReadOptions&);
 [[nodiscard]] std::vector<Record> column_records(const RecordText&, const ReadOptions&);
 [[nodiscard]] std::vector<Record> v1_records(const RecordText&, const ReadOptions&);

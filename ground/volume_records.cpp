@@ -38,6 +38,25 @@ struct Block {
     double step = 0.0;
 };
 
+/// Refuses a step that is not the one above the block, or does not make the duration there. The
+/// record as it came may be longer than what was corrected.
+void check_head_step(const RecordText& text, std::size_t from, std::size_t at,
+                     std::size_t count, double step)
+{
+    if (const std::size_t line = find_line(text, "intervals of", from, at - from); line < at)
+        if (const auto other = number_after(text.lines[line], "intervals of");
+            other && std::abs(*other - step) > 1e-3 * step)
+            refuse(text, line,
+                   "a time step of " + shown(*other) + " s, where line " +
+                       std::to_string(at + 1) + " has " + shown(step) +
+                       " s; mend the one that is wrong");
+    constexpr double kCorrected = 0.1;
+    for (const std::string_view key : {"record length", "duration"})
+        if (const std::size_t line = find_line(text, key, from, at - from); line < at)
+            check_duration(text, line, number_after(text.lines[line], key), count, step,
+                           kCorrected);
+}
+
 } // namespace
 
 std::vector<Record> v2_records(const RecordText& text, const ReadOptions& options)
@@ -52,6 +71,7 @@ std::vector<Record> v2_records(const RecordText& text, const ReadOptions& option
         const auto first = fields(line, 0);
         Block b{at, checked_count(text, at, number_of(first.front())),
                 checked_step(text, at, number_after(line, "spaced at"))};
+        check_head_step(text, from, at, b.count, b.step);
         Values read = read_values(text, at + 1, b.count, kWidth);
         const std::size_t peak = find_line(text, "peak acceleration", from, at - from);
         const bool usc =
@@ -94,8 +114,8 @@ std::vector<Record> v1_records(const RecordText& text, const ReadOptions& option
             checked_count(text, points, number_after(text.lines[points], "points"));
         const std::size_t first = from + kHead;
         const std::string_view line = text.lines[first];
-        const std::size_t width =
-            line.size() % (2 * kPairs) == 0 ? line.size() / (2 * kPairs) : 0;
+        const std::size_t end = line.find_last_not_of(" \t") + 1; // blanks may pad it
+        const std::size_t width = end % (2 * kPairs) == 0 ? end / (2 * kPairs) : 0;
         const Values read = read_values(text, first, 2 * count, width);
         std::vector<double> time(count), values(count);
         std::vector<std::size_t> where(count);
@@ -112,6 +132,8 @@ std::vector<Record> v1_records(const RecordText& text, const ReadOptions& option
         constexpr int kDecimals = 3;
         const double step =
             checked_step(text, first, common_step(text, time, where, kDecimals));
+        check_duration(text, points, number_after(text.lines[points], "record length"), count,
+                       step);
         Record r = record_of(text, options, "CSMIP V1", unit, first, step, std::move(values));
         r.remarks.emplace_back("uncorrected: with its offset and the instrument in it");
         if (const std::size_t name = find_line(text, "chan ", from, kHead);
@@ -150,6 +172,7 @@ std::vector<Record> v2a_records(const RecordText& text, const ReadOptions& optio
             checked_count(text, points, number_after(text.lines[points], "points"));
         const double step =
             checked_step(text, steps, number_after(text.lines[steps], "data at"));
+        check_duration(text, points, number_after(text.lines[points], "duration"), count, step);
         const std::string low = lower(text.lines[peak]);
         const std::string unit = low.find("mm/s/s") != std::string::npos ? "mm/s2" : "";
         if (unit.empty() && options.unit.empty())

@@ -3,9 +3,48 @@
 #include "fragility/laws/standard_law.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 namespace fragility {
+namespace {
+
+double density(double z) { return std::exp(-0.5 * z * z) / std::sqrt(2.0 * std::numbers::pi); }
+
+/// (1 - Phi(z)) / phi(z) within 1e-10, relative, for z >= 0: Mills' ratio.
+double tail_ratio(double z)
+{
+    constexpr double kFar = 25.0; // further out, erfc comes near its underflow
+    if (z < kFar) return StandardNormal::cdf(-z) / density(z);
+    const double r = 1.0 / (z * z); // Abramowitz and Stegun 26.2.12
+    return (1.0 - r * (1.0 - r * (3.0 - r * (15.0 - r * 105.0)))) / z;
+}
+
+/// int Phi(u) dH over one segment, H = k0 x^-k and u = ln(x / median) / dispersion. By parts it
+/// is Phi(u) H at the lower end less that at the upper, and int phi(u) H du, which is
+/// c (Phi(u + k dispersion) at the upper end less that at the lower) with
+/// c phi(u + k dispersion) = H phi(u) at any point.
+double rate_between(const HazardPoint& a, const HazardPoint& b, double median,
+                    double dispersion)
+{
+    const double k = std::log(a.rate / b.rate) / std::log(b.intensity / a.intensity);
+    const double ua = std::log(a.intensity / median) / dispersion;
+    const double ub = std::log(b.intensity / median) / dispersion;
+    const double za = ua + k * dispersion, zb = ub + k * dispersion;
+    // c is huge where hazard is steep: tails of one side are differences of what c phi holds
+    double between = 0.0;
+    if (za >= 0.0)
+        between = a.rate * density(ua) * tail_ratio(za) - b.rate * density(ub) * tail_ratio(zb);
+    else if (zb <= 0.0)
+        between =
+            b.rate * density(ub) * tail_ratio(-zb) - a.rate * density(ua) * tail_ratio(-za);
+    else // z = 0 lies between, and c is at most a.rate times 1
+        between = a.rate * std::exp(0.5 * (za * za - ua * ua)) *
+                  (StandardNormal::cdf(zb) - StandardNormal::cdf(za));
+    return StandardNormal::cdf(ua) * a.rate - StandardNormal::cdf(ub) * b.rate + between;
+}
+
+} // namespace
 
 Observation ida_capacity(std::span<const IdaStep> steps, double threshold)
 {
@@ -37,18 +76,7 @@ AnnualRate annual_rate(std::span<const HazardPoint> hazard, double median, doubl
         if (!(a.intensity > 0.0 && b.intensity > a.intensity && b.rate > 0.0 &&
               b.rate < a.rate))
             throw std::invalid_argument("hazard must fall while the intensity ascends");
-        // H = k0 x^-k. With y = ln x: int Phi(u) k H dy, u = (y - ln median) / dispersion, is
-        // [-Phi(u) H] + k0' int phi(u) ... = [-Phi(u) H + c Phi(u + k dispersion)] in closed
-        // form.
-        const double k = std::log(a.rate / b.rate) / std::log(b.intensity / a.intensity);
-        const double at_median = a.rate * std::pow(median / a.intensity, -k);
-        const double c = at_median * std::exp(0.5 * k * k * dispersion * dispersion);
-        const auto primitive = [&](const HazardPoint& p) {
-            const double u = std::log(p.intensity / median) / dispersion;
-            return -StandardNormal::cdf(u) * p.rate +
-                   c * StandardNormal::cdf(u + k * dispersion);
-        };
-        rate += primitive(b) - primitive(a);
+        rate += rate_between(a, b, median, dispersion);
     }
     return {rate, rate + hazard.back().rate};
 }

@@ -78,7 +78,7 @@ std::string v1(int n)
     std::string text =
         "UNCORRECTED ACCELEROGRAM DATA              PROCESSED: 05/24/2011\n" +
         lines(5, "SOMEWHERE") + "CHAN  1: EW       (STA CHN:  1)\n" + lines(3, "SOMEWHERE") +
-        printed("NO. OF POINTS = %6d  RECORD LENGTH =100.000 SEC\n", n) +
+        printed("NO. OF POINTS = %6d  RECORD LENGTH =%7.3f SEC\n", n, 0.01 * n) +
         printed("UNITS OF UNCOR ACCEL ARE SEC AND G/10.     MAX  = %6.3f G, AT  30.160 SEC\n",
                 peak_of(a) / 10.0) +
         "RMS ACCEL OF COMPLETE RECORD = 0.106 G\n" + lines(7, "    1    1    1    3") +
@@ -120,7 +120,7 @@ std::string v2a(int n)
         const std::vector<double> a = wave(n, 900.0 * c);
         text +=
             "Corrected accelerogram 1 GNS Science\n" + lines(8, "Somewhere") +
-            printed("Number of points  %d    Duration 163.82 sec\n", n) +
+            printed("Number of points  %d    Duration %.2f sec\n", n, 0.02 * (n - 1)) +
             "Instrument corrected data at 0.020 sec intervals\nBand-pass\n" +
             printed("Component N%d0E  Longitudinal Accelerometer Axis\n", c) +
             printed("Acceleration:  peak %8.1f mm/s/s at  48.14 sec     rms    292.2 mm/s/s\n",

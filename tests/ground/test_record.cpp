@@ -234,6 +234,104 @@ TEST_CASE("record: units are read, told or refused, never guessed where they mat
     CHECK(ground::acceleration_unit("m/s") == 0.0);
 }
 
+TEST_CASE("record: a unit that is not certain is refused, in every language",
+          "[ground][record]")
+{
+    const std::string rows = "0.00 0.1\n0.01 0.2\n0.02 -0.3\n";
+    const auto factor = [&](const std::string& head) {
+        INFO(head);
+        return read(head + "\n" + rows)[0].motion.acceleration[1] / 0.2;
+    };
+    const double g = 9.80665;
+    // values of other quantities, names of stations, words of other languages
+    CHECK(factor("time [s], acc [cm/s2] (converted from g)") == Approx(0.01));
+    CHECK(factor("time [s], acc [m/s2], scaled to 0.3 g") == Approx(1.0));
+    CHECK(factor("time s acc cm/s2 station G") == Approx(0.01));
+    CHECK(factor("Zeit [s]; Beschleunigung [m s-2]") == Approx(1.0));
+    CHECK(factor("t [s], a [m\xC2\xB7s\xE2\x81\xBB\xC2\xB2]") == Approx(1.0)); // m·s⁻²
+    CHECK(factor("Zeit [s], Beschleunigung [m/s\xB2]") == Approx(1.0));        // Latin-1
+    CHECK(read("t [s], a [m/s\xB2]\n" + rows)[0].unit == "m/s2");
+    CHECK(factor("t [s], a [cm.s-2]") == Approx(0.01));
+    CHECK(factor("# PGA = 49.1 cm/s2\ntime, acc") == Approx(g));
+    CHECK(factor("# 1 g = 9.81 m/s2\ntime, acc") == Approx(g));
+    CHECK(factor("# accelerations in g (9.81 m/s2)") == Approx(g));
+    CHECK(factor("# acceleration in m/s2\n# peak 0.05 g\ntime, acc") == Approx(1.0));
+    CHECK(factor("# acceleration in m/s2\nStation G") == Approx(1.0));
+    CHECK(factor("time [s], acc (in g)") == Approx(g));
+    for (const std::string unit : {"% g", "% of g", "0.01 g", "1e-3 g", "milli g", "mg",
+                                   "g/100", "ft/s2", "in/s2", "m/s-2"}) {
+        INFO(unit);
+        CHECK_THROWS_WITH(read("time [s], acc [" + unit + "]\n" + rows),
+                          StartsWith("r.txt:1: \"" + unit + "\" is no unit of acceleration"));
+        CHECK(read("time [s], acc [" + unit + "]\n" + rows, {"g"})[0].unit == "g");
+    }
+    for (const std::string head :
+         {"Zeit (s);Geschwindigkeit (m/s)", "Geschwindigkeit (m/s)", "Zeit (s);Weg (mm)",
+          "Tiempo (s), Velocidad (cm/s)", "t [s], v [m s-1]", "Temps [s], D [m]",
+          "# acceleration in % g", "# acceleration in mg", "time, a_mg"}) {
+        INFO(head);
+        CHECK_THROWS_WITH(read(head + "\n" + rows), Contains(" is no unit of acceleration"));
+    }
+    CHECK_THROWS_WITH(read("# recorded in cm/s2, here in g\n# \ntime, acc\n" + rows),
+                      StartsWith("r.txt:1: two units of acceleration, \"cm/s2\" and \"g\""));
+    // g in words above values that are none in g
+    const std::string large = "0.00 10\n0.01 20\n";
+    CHECK_THROWS_WITH(read("# as recorded in g\n# \ntime, acc\n" + large),
+                      StartsWith("r.txt:1: the unit seems to be g, and the values are too "));
+    CHECK(read("time, acc [g]\n" + large)[0].motion.acceleration[1] == Approx(20 * g));
+    CHECK_THROWS_WITH(read("A record\nVELOCITY TIME SERIES\nNPTS= 2, DT= .01\n1 2\n"),
+                      StartsWith("r.txt:2: the values are no acceleration"));
+}
+
+TEST_CASE("record: heads in several lines, padded lines and rounded times are read",
+          "[ground][record]")
+{
+    const auto two =
+        read("UNITS OF G. FILTER POINTS: HP=0.1 Hz\nNPTS= 3\nDT= .005 SEC\n1 2 3\n");
+    CHECK(two[0].motion.step == 0.005);
+    CHECK(two[0].motion.acceleration[2] == Approx(3 * 9.80665));
+    CHECK(read("IN UNITS OF G\nDT= .005\nNPTS= 3\n1 2 3\n")[0].motion.step == 0.005);
+    std::string padded = record_texts::v1(40);
+    for (std::size_t at = padded.find("  0.000  ");
+         (at = padded.find('\n', at)) < padded.size();)
+        padded.insert(at, "   "), at += 4;
+    CHECK(read(padded)[0].motion.acceleration ==
+          read(record_texts::v1(40))[0].motion.acceleration);
+    std::string rounded = "time [s], acc [m/s2]\n";
+    for (int i = 0; i < 400; ++i) {
+        char row[40];
+        std::snprintf(row, sizeof row, "%.2f 0.1\n", 0.25 * i * 0.4 / 4);
+        rounded += row;
+    }
+    CHECK(read(rounded)[0].motion.step == 0.025);
+}
+
+TEST_CASE("record: a value that stands for a missing one is refused", "[ground][record]")
+{
+    const std::string head = "time [s], acc [cm/s2]\n";
+    CHECK_THROWS_WITH(read(head + "0.00 1.5\n0.01 -999\n0.02 2.5\n"),
+                      StartsWith("r.txt:2: value 2 is -999, which stands for a missing one"));
+    CHECK(read(head + "0.00 -990\n0.01 -999\n0.02 -980\n")[0].motion.acceleration.size() == 3);
+}
+
+TEST_CASE("record: a step that contradicts its head is refused", "[ground][record]")
+{
+    const std::string v2 = replaced(record_texts::v2(40), "PEAK ACC",
+                                    "AT EQUALLY-SPACED INTERVALS OF .020 SEC.\nPEAK ACC");
+    CHECK(read(v2)[0].motion.step == 0.02);
+    CHECK_THROWS_WITH(read(replaced(v2, "OF .020", "OF .010")),
+                      StartsWith("r.txt:18: a time step of 0.01 s, where line 47 has 0.02 s"));
+    const std::string length =
+        replaced(record_texts::v2(40), "PEAK ACC", "RECORD LENGTH = 0.84 SEC\nPEAK ACC");
+    CHECK(read(length)[0].motion.step == 0.02); // cut when it was corrected
+    CHECK_THROWS_WITH(read(replaced(length, "0.84", "0.40")),
+                      StartsWith("r.txt:18: the head states a duration of 0.4 s"));
+    CHECK_THROWS_WITH(read(replaced(record_texts::v1(40), "0.400", "0.800")),
+                      StartsWith("r.txt:11: the head states a duration of 0.8 s"));
+    CHECK_THROWS_WITH(read(replaced(record_texts::v2a(40), "at 0.020", "at 0.010")),
+                      StartsWith("r.txt:10: the head states a duration of 0.78 s"));
+}
+
 TEST_CASE("record: a peak that is not the stated one is refused", "[ground][record]")
 {
     CHECK_THROWS_WITH(read(replaced(record_texts::esm(40), "PGA_CM/S^2: ", "PGA_CM/S^2: 9")),

@@ -5,6 +5,7 @@
 #include "app/text/words.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -51,6 +52,31 @@ std::optional<ground::Measure> measure_in_head(const std::string& head)
 {
     if (const auto all = measure_of(head)) return all;
     return measure_of(head.substr(0, head.find_last_of("[(")));
+}
+
+/// Refuses the head of a second column that says that it holds no annual rates.
+void check_rates(const Csv& csv, const std::string& head)
+{
+    const std::string low = lower_case(head);
+    const auto has = [&](std::string_view word) { return low.find(word) != std::string::npos; };
+    if (has("prob") || has("poe"))
+        throw ConfigError(
+            csv.path, 1, head,
+            "annual rates [1/a] are read here, no probabilities; convert those of "
+            "T years: rate = -ln(1 - p) / T");
+    if (has("period"))
+        throw ConfigError(
+            csv.path, 1, head,
+            "annual rates [1/a] are read here; convert return periods: rate = 1 / "
+            "period");
+    constexpr std::array<std::string_view, 8> kPerYear = {"1/a",      "1/y",   "1/yr", "1/year",
+                                                          "per year", "/year", "a^-1", "yr^-1"};
+    const std::size_t begin = low.find_first_of("[(");
+    if (begin == std::string::npos) return;
+    const std::string unit = low.substr(begin + 1, low.find_first_of("])", begin) - begin - 1);
+    if (std::ranges::find(kPerYear, trimmed(unit)) == kPerYear.end())
+        throw ConfigError(csv.path, 1, head,
+                          "the rates are read in [1/a]; convert the column, and write so");
 }
 
 /// True if the head names another measure than `wanted`, if only its kind: "Sa [g]".
@@ -118,6 +144,7 @@ std::vector<fragility::HazardPoint> hazard_points(const Csv& csv, const Intensit
                           "names another measure than " + data.measure_name +
                               ", on which the curves are; give the hazard of " +
                               data.measure_name + ", or choose another --intensity");
+    check_rates(csv, csv.head[1]);
     std::vector<fragility::HazardPoint> points;
     for (const CsvRow& row : csv.rows) {
         const fragility::HazardPoint p{number_at(csv, row, 0), number_at(csv, row, 1)};

@@ -431,6 +431,13 @@ TEST_CASE("shake study: fragility on the intensity, with rates and files for oth
         CHECK_THROWS_WITH(app::fragility_command(c),
                           Contains("names another measure than pga"));
     }
+    for (const auto& [rates, why] : {std::pair("PoE in 50 years", "rate = -ln(1 - p) / T"),
+                                     {"annual probability", "no probabilities"},
+                                     {"return period [a]", "rate = 1 / period"},
+                                     {"rate [1/1000 a]", "the rates are read in [1/a]"}}) {
+        std::ofstream(study.path / "hazard.csv") << "PGA [g]," << rates << "\n0.1,0.1\n";
+        CHECK_THROWS_WITH(app::fragility_command(c), Contains(why));
+    }
     for (const auto& [measure, head] : {std::pair("", "PGA [g]"),
                                         {"sa(0.3 s)", "Sa(0.3 s)"},
                                         {"sa(0.3 s)", " sa(0.3 s) [g]"}}) {

@@ -49,3 +49,31 @@ TEST_CASE("annual rate: under a power law it is k0 median^-k exp(k^2 beta^2 / 2)
     const std::vector<HazardPoint> rising = {{0.1, 1e-4}, {0.2, 1e-3}};
     CHECK_THROWS_AS(annual_rate(rising, 1.0, 0.4), std::invalid_argument);
 }
+
+TEST_CASE("annual rate: steep and nearly vertical hazard keeps its digits", "[fragility][ida]")
+{
+    const auto exact = [](const HazardPoint& a, const HazardPoint& b, double median,
+                          double beta) { // midpoints of equal shares of the hazard
+        constexpr int kParts = 200'000;
+        const double k = std::log(a.rate / b.rate) / std::log(b.intensity / a.intensity);
+        double sum = 0.0;
+        for (int i = 0; i < kParts; ++i) {
+            const double h = a.rate - (a.rate - b.rate) * (i + 0.5) / kParts;
+            const double x = a.intensity * std::pow(a.rate / h, 1.0 / k);
+            sum += 0.5 * std::erfc(-std::log(x / median) / beta / std::sqrt(2.0));
+        }
+        return sum * (a.rate - b.rate) / kParts;
+    };
+    struct Case {
+        double lower, upper, fall, median, beta;
+    };
+    for (const Case& c : {Case{0.1, 1.0, 1e-2, 0.5, 0.4}, Case{0.1, 1.0, 1e-2, 0.02, 0.4},
+                          Case{0.5, 0.6, 1e-4, 0.7, 0.5}, Case{1.0, 1.1, 1e-3, 0.6, 0.6},
+                          Case{1.0, 1.0001, 1e-2, 0.9, 0.5}, Case{1.0, 1.0001, 1e-2, 5.0, 0.3},
+                          Case{0.5, 1.0, 0.9, 2.0, 0.05}, Case{0.2, 3.0, 0.5, 1.0, 1.5}}) {
+        INFO(c.lower << " " << c.upper << " " << c.median << " " << c.beta);
+        const std::vector<HazardPoint> h = {{c.lower, 1e-3}, {c.upper, 1e-3 * c.fall}};
+        CHECK(annual_rate(h, c.median, c.beta).lower ==
+              Approx(exact(h[0], h[1], c.median, c.beta)).epsilon(1e-5).margin(1e-30));
+    }
+}
