@@ -1,12 +1,15 @@
 #include "app/drawing/svg_element.hpp"
 
 #include "app/drawing/outlines/drawing_file.hpp"
+#include "app/text/words.hpp"
+
+#include <algorithm>
 
 namespace app {
 namespace {
 
 /// Style that the element itself states: its attributes, replaced by style sheets and those by
-/// its style.
+/// its style; what is important comes last, in the same order.
 SvgStyle style_of(const SvgStyleSheet& sheet, const SvgElement& element)
 {
     SvgStyle style;
@@ -18,8 +21,10 @@ SvgStyle style_of(const SvgStyleSheet& sheet, const SvgElement& element)
                              "fill-opacity", "stroke-opacity", "stroke-width", "transform",
                              "transform-origin", "clip-path", "mask"})
         if (const char* value = element.find(name)) style[name] = value;
-    sheet.apply(style, element.name, text_of("id"), text_of("class"));
-    if (const char* text = element.find("style")) add_declarations(style, text);
+    for (const Importance of : {Importance::usual, Importance::important}) {
+        sheet.apply(style, of, element.name, text_of("id"), text_of("class"));
+        add_declarations(style, text_of("style"), of);
+    }
     return style;
 }
 
@@ -53,19 +58,36 @@ PlaneTransform transform_of(const SvgElement& element, const SvgStyle& style)
     return svg_transform(element.place, plain);
 }
 
-/// Whether a paint is seen, of a property "fill" or "stroke" that may be inherited.
-bool is_painted(std::string_view paint, bool around)
-{
-    if (paint.empty() || paint == "inherit") return around;
-    return paint != "none" && paint != "transparent";
-}
-
 /// Whether a number that may be inherited, such as "stroke-width", is not zero.
 bool is_not_zero(std::string_view value, bool around)
 {
     if (value.empty() || value == "inherit") return around;
     const std::size_t end = value.find_first_not_of("+-.0123456789eE");
     return read_number(value.substr(0, end)) != 0.0;
+}
+
+/// Whether a colour is clear: #rrggbb00, rgba(0, 0, 0, 0), rgb(0 0 0 / 0%).
+bool is_clear(std::string_view colour)
+{
+    if (colour.starts_with('#'))
+        return (colour.size() == 5 && colour[4] == '0') ||
+               (colour.size() == 9 && colour.substr(7) == "00");
+    const std::size_t open = colour.find('(');
+    if (open == std::string_view::npos || colour.starts_with("url")) return false;
+    std::string_view inside = colour.substr(open + 1, colour.find(')') - open - 1);
+    const std::size_t slash = inside.find('/');
+    if (slash != std::string_view::npos)
+        return !is_not_zero(without_blanks(inside.substr(slash + 1)), true);
+    const auto parts = style_parts(inside, ',');
+    return parts.size() == 4 && !is_not_zero(parts[3], true);
+}
+
+/// Whether a paint is seen, of a property "fill" or "stroke" that may be inherited.
+bool is_painted(std::string_view text, bool around)
+{
+    const std::string paint = lower_case(text);
+    if (paint.empty() || paint == "inherit") return around;
+    return paint != "none" && paint != "transparent" && !is_clear(paint);
 }
 
 } // namespace
@@ -78,7 +100,7 @@ SvgGroup group_within(SvgGroup group, const SvgStyleSheet& sheet, const SvgEleme
         const auto at = style.find(name);
         return at == style.end() ? "" : std::string_view(at->second);
     };
-    if (value("display") == "none" || read_number(value("opacity")) == 0.0)
+    if (value("display") == "none" || !is_not_zero(value("opacity"), true))
         group.displayed = false;
     for (const char* name : {"clip-path", "mask"})
         if (!value(name).empty() && value(name) != "none") group.clipped = true;

@@ -84,8 +84,10 @@ std::string SvgStyleSheet::add(std::string_view text)
         const std::size_t open = rest.find('{'), close = rest.find('}');
         if (open == std::string_view::npos || close == std::string_view::npos) break;
         if (open < close) {
-            SvgStyle style;
-            add_declarations(style, rest.substr(open + 1, close - open - 1));
+            SvgStyle style, important;
+            const std::string_view inside = rest.substr(open + 1, close - open - 1);
+            add_declarations(style, inside, Importance::usual);
+            add_declarations(important, inside, Importance::important);
             for (const std::string_view part :
                  style_parts(without_statements(rest.substr(0, open)), ',')) {
                 std::optional<SvgSelector> selector = selector_of(part);
@@ -93,8 +95,10 @@ std::string SvgStyleSheet::add(std::string_view text)
                     const std::size_t rank = (selector->id.empty() ? 0 : 10'000) +
                                              10 * selector->classes.size() +
                                              (selector->element.empty() ? 0 : 1);
-                    rules_.push_back({std::move(*selector), rank, style});
-                } else if (unread.empty() && hides_or_moves(style) && !is_of_pointer(part)) {
+                    rules_.push_back({std::move(*selector), rank, style, important});
+                } else if (unread.empty() &&
+                           (hides_or_moves(style) || hides_or_moves(important)) &&
+                           !is_of_pointer(part)) {
                     unread = part;
                 }
             }
@@ -105,8 +109,8 @@ std::string SvgStyleSheet::add(std::string_view text)
     return unread;
 }
 
-void SvgStyleSheet::apply(SvgStyle& style, std::string_view element, std::string_view id,
-                          std::string_view classes) const
+void SvgStyleSheet::apply(SvgStyle& style, Importance of, std::string_view element,
+                          std::string_view id, std::string_view classes) const
 {
     std::string blanks(classes);
     std::ranges::replace_if(
@@ -114,7 +118,9 @@ void SvgStyleSheet::apply(SvgStyle& style, std::string_view element, std::string
     const std::vector<std::string_view> of_element = style_parts(blanks, ' ');
     for (const SvgRule& rule : rules_)
         if (selects(rule.selector, element, id, of_element))
-            for (const auto& [property, value] : rule.style) style[property] = value;
+            for (const auto& [property, value] :
+                 of == Importance::usual ? rule.style : rule.important)
+                style[property] = value;
 }
 
 } // namespace app

@@ -19,7 +19,7 @@ struct SvgSelector {
 struct SvgRule {
     SvgSelector selector;
     std::size_t rank = 0; ///< rules of a higher rank win: ids over classes over elements
-    SvgStyle style;
+    SvgStyle style, important;
 };
 
 class SvgStyleSheet {
@@ -29,8 +29,9 @@ class SvgStyleSheet {
     /// elements, such as "g > rect"; else empty
     [[nodiscard]] std::string add(std::string_view text);
 
-    /// Adds what the rules for such an element declare, the strongest last.
-    void apply(SvgStyle& style, std::string_view element, std::string_view id,
+    /// Adds what the rules for such an element declare with this importance, the strongest
+    /// last.
+    void apply(SvgStyle& style, Importance of, std::string_view element, std::string_view id,
                std::string_view classes) const;
 
   private:

@@ -31,14 +31,16 @@ std::vector<std::string_view> style_parts(std::string_view text, char separator)
     return parts;
 }
 
-void add_declarations(SvgStyle& style, std::string_view text)
+void add_declarations(SvgStyle& style, std::string_view text, Importance of)
 {
     for (const std::string_view declaration : style_parts(text, ';')) {
         const std::size_t colon = declaration.find(':');
         if (colon == std::string_view::npos) continue;
-        std::string_view value = declaration.substr(colon + 1);
-        value = without_blanks(value.substr(0, value.find('!')));
-        style[lower_case(without_blanks(declaration.substr(0, colon)))] = value;
+        const std::string_view value = declaration.substr(colon + 1);
+        const std::size_t mark = std::min(value.find('!'), value.size());
+        if ((mark < value.size()) == (of == Importance::important))
+            style[lower_case(without_blanks(declaration.substr(0, colon)))] =
+                without_blanks(value.substr(0, mark));
     }
 }
 

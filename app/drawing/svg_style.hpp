@@ -13,8 +13,11 @@ namespace app {
 /// "!important".
 using SvgStyle = std::map<std::string, std::string, std::less<>>;
 
-/// Later declarations replace earlier ones.
-void add_declarations(SvgStyle& style, std::string_view text);
+/// Important declarations are stronger than usual ones, wherever they stand.
+enum class Importance { usual, important };
+
+/// Adds the declarations of one importance. Later ones replace earlier ones.
+void add_declarations(SvgStyle& style, std::string_view text, Importance of);
 
 [[nodiscard]] std::string_view without_blanks(std::string_view text);
 

@@ -72,7 +72,10 @@ TEST_CASE("svg paints: a fill that is clear, a stroke that is clear or has no wi
          {"style='fill:#aaa;fill-opacity:0;stroke:none'",
           "fill='none' stroke='#000' stroke-width='0'", "fill-opacity='0.0'",
           "fill='none' stroke='#000' style='stroke-width:0px'",
-          "fill='none' stroke='red' stroke-opacity='0'"}) {
+          "fill='none' stroke='red' stroke-opacity='0'", "fill='#0000'", "fill='#12345600'",
+          "fill='rgba(0,0,0,0)'", "fill='rgb(0 0 0 / 0)'", "fill='rgb(9 9 9 / 0%)'",
+          "fill='hsla(0, 0%, 0%, 0.0)'", "fill='None' stroke='RGBA(1,2,3,0)'",
+          "opacity='0%'"}) {
         INFO(clear);
         const app::Drawing read = wall(kPath + kBoth + beside + clear + "/>");
         CHECK(read.blocks.size() == 1);
@@ -80,13 +83,35 @@ TEST_CASE("svg paints: a fill that is clear, a stroke that is clear or has no wi
     }
     for (const char* seen :
          {"fill-opacity='0.1'", "fill-opacity='0' stroke='#000'", "stroke-width='0'",
-          "fill='none' stroke='#000' stroke-width='0.5mm'", "fill-opacity='50%'"}) {
+          "fill='none' stroke='#000' stroke-width='0.5mm'", "fill-opacity='50%'",
+          "fill='#0001'", "fill='#000000'", "fill='#123456f0'", "fill='rgba(0,0,0,0.1)'",
+          "fill='rgb(0 0 0 / 5%)'", "fill='rgb(0,0,0)'", "fill='url(#a)'", "opacity='5%'"}) {
         INFO(seen);
         CHECK(wall(kPath + kBoth + beside + seen + "/>").blocks.size() == 2);
     }
     CHECK(wall(kPath + kBoth + "<g fill-opacity='0'>" + beside + "/></g>").blocks.size() == 1);
     CHECK(wall(kPath + kBoth + "<g fill-opacity='0'>" + beside + "fill-opacity='1'/></g>")
               .blocks.size() == 2);
+}
+
+TEST_CASE("svg paints: an important declaration is stronger than any usual one",
+          "[app][svg_paints]")
+{
+    const auto stones = [&](const std::string& sheet, const std::string& attributes) {
+        return wall("<style>" + sheet + "</style>" + kPath + kBoth +
+                    "<rect x='2' width='2' height='1' " + attributes + "/>")
+            .blocks.size();
+    };
+    const std::string hidden = ".old{display:none !important}";
+    CHECK(stones(hidden, "class='old' style='display:inline'") == 1);
+    CHECK(stones(hidden + "#a{display:inline}", "class='old' id='a'") == 1);
+    CHECK(stones(hidden + "#a{display:inline!important}", "class='old' id='a'") == 2);
+    CHECK(stones(hidden, "class='old' style='display:inline ! important'") == 2);
+    CHECK(stones("rect{display:none}", "style='display:inline'") == 2);
+    CHECK_THAT(refusal("w.svg",
+                       page("<style>g > rect{display:none!important}</style>" + kPath + kBoth),
+                       {.unit = 1.0}),
+               Catch::Contains("g > rect"));
 }
 
 TEST_CASE("svg paints: any other stone that is drawn twice is refused", "[app][svg_paints]")
