@@ -17,7 +17,7 @@ namespace ground {
 /// language by a unit of time in its first brackets.
 [[nodiscard]] bool names_columns(std::string_view line);
 
-/// What the lines above the numbers say of the unit.
+/// The unit that the lines above the numbers state.
 struct HeadUnit {
     std::string unit;     ///< of acceleration, as written; empty: none
     bool alone = false;   ///< in brackets of its own above the columns
