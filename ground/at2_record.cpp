@@ -18,7 +18,7 @@ HeadUnit unit_in_head(const RecordText& text, std::size_t head)
             std::erase_if(unit, [](char c) { return c == '(' || c == ')'; });
             unit.resize(std::min(unit.size(), unit.find_first_of(" ,;\t")));
             while (unit.ends_with('.')) unit.pop_back();
-            return {unit, true, i, {}};
+            return {unit, !unit.empty(), i, {}};
         }
     }
     return unit_above(text, head + 1);
@@ -68,7 +68,7 @@ std::vector<Record> at2_records(const RecordText& text, const ReadOptions& optio
     const std::string& unit = said.unit;
     const bool told = !options.unit.empty();
     if (!told && !said.doubt.empty()) refuse(text, said.line, said.doubt);
-    if (unit.empty()) check_quantity(text, head);
+    if (unit.empty() && !told) check_quantity(text, head);
     Values read = read_values(text, head + 1, count, 0);
     for (std::size_t i = read.end; i < text.lines.size(); ++i)
         if (all_numbers(text.lines[i]))

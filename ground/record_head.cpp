@@ -68,7 +68,7 @@ std::vector<std::string_view> in_brackets(std::string_view line)
     return all;
 }
 
-/// Units of acceleration, each once. A lone G beside others is a station or component.
+/// Adds a unit that is not there yet, under this or another spelling.
 void add_unit(std::vector<std::string>& units, std::string unit)
 {
     const double factor = acceleration_unit(unit);
@@ -107,6 +107,8 @@ HeadUnit odd(std::size_t line, std::string_view unit)
                              " is no unit of acceleration; use g, m/s2, cm/s2, mm/s2 or g/10");
 }
 
+/// The unit if there is one, a doubt if there are several. A lone G beside others is the name of
+/// a station or component.
 HeadUnit the_one(std::vector<std::string> units, std::size_t line, bool alone)
 {
     if (units.size() > 1) std::erase(units, "G");

@@ -54,11 +54,11 @@ std::size_t sign_in(std::string_view token)
 /// @param line index of the first value
 void check_missing(const RecordText& text, std::size_t line, const std::vector<double>& values)
 {
-    for (std::size_t i = 1; i + 1 < values.size(); ++i) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
         const double a = values[i];
         if (a != -999.0 && a != -9999.0 && a != -99999.0) continue;
         const auto far = [&](double other) { return std::abs(other) < 0.5 * std::abs(a); };
-        if (far(values[i - 1]) || far(values[i + 1]))
+        if ((i > 0 && far(values[i - 1])) || (i + 1 < values.size() && far(values[i + 1])))
             refuse(text, line,
                    "value " + std::to_string(i + 1) + " is " + shown(a) +
                        ", which stands for a missing one; fill the gap, or cut the record");
@@ -260,12 +260,12 @@ Record record_of(const RecordText& text, const ReadOptions& options, std::string
     r.format = format;
     r.unit = options.unit.empty() ? std::string(stripped(unit)) : options.unit;
     const double factor = acceleration_unit(r.unit);
-    if (std::ranges::any_of(r.unit, [](char c) { return c < ' ' || c > '~'; }))
-        r.unit = factor == 1.0 ? "m/s2" : factor == 1e-2 ? "cm/s2" : "mm/s2"; // no Latin-1
     if (factor == 0.0)
         refuse(text, line,
                in_quotes(r.unit) +
                    " is no unit of acceleration; use g, m/s2, cm/s2, mm/s2 or g/10");
+    if (std::ranges::any_of(r.unit, [](char c) { return c < ' ' || c > '~'; }))
+        r.unit = factor == 1.0 ? "m/s2" : factor == 1e-2 ? "cm/s2" : "mm/s2"; // no Latin-1
     if (!options.unit.empty() && acceleration_unit(unit) != factor)
         r.remarks.push_back("read in " + r.unit + " as told, where the file says " +
                             (unit.empty() ? "nothing" : std::string(stripped(unit))));

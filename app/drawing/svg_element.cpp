@@ -3,8 +3,6 @@
 #include "app/drawing/outlines/drawing_file.hpp"
 #include "app/text/words.hpp"
 
-#include <algorithm>
-
 namespace app {
 namespace {
 

@@ -1,21 +1,18 @@
 #include "fragility/intensity/ida.hpp"
 
-#include "fragility/laws/standard_law.hpp"
+#include "core/normal.hpp"
 
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 namespace fragility {
 namespace {
 
-double density(double z) { return std::exp(-0.5 * z * z) / std::sqrt(2.0 * std::numbers::pi); }
-
 /// (1 - Phi(z)) / phi(z) within 1e-10, relative, for z >= 0: Mills' ratio.
 double tail_ratio(double z)
 {
     constexpr double kFar = 25.0; // further out, erfc comes near its underflow
-    if (z < kFar) return StandardNormal::cdf(-z) / density(z);
+    if (z < kFar) return core::normal_survival(z) / core::normal_density(z);
     const double r = 1.0 / (z * z); // Abramowitz and Stegun 26.2.12
     return (1.0 - r * (1.0 - r * (3.0 - r * (15.0 - r * 105.0)))) / z;
 }
@@ -31,17 +28,18 @@ double rate_between(const HazardPoint& a, const HazardPoint& b, double median,
     const double ua = std::log(a.intensity / median) / dispersion;
     const double ub = std::log(b.intensity / median) / dispersion;
     const double za = ua + k * dispersion, zb = ub + k * dispersion;
-    // c is huge where hazard is steep: tails of one side are differences of what c phi holds
+    // Steep hazard makes c huge: where both ends are in one tail, c is written by H phi(u) there.
     double between = 0.0;
     if (za >= 0.0)
-        between = a.rate * density(ua) * tail_ratio(za) - b.rate * density(ub) * tail_ratio(zb);
+        between = a.rate * core::normal_density(ua) * tail_ratio(za) -
+                  b.rate * core::normal_density(ub) * tail_ratio(zb);
     else if (zb <= 0.0)
-        between =
-            b.rate * density(ub) * tail_ratio(-zb) - a.rate * density(ua) * tail_ratio(-za);
-    else // z = 0 lies between, and c is at most a.rate times 1
+        between = b.rate * core::normal_density(ub) * tail_ratio(-zb) -
+                  a.rate * core::normal_density(ua) * tail_ratio(-za);
+    else // z = 0 lies between, and the factor of a.rate is at most 1
         between = a.rate * std::exp(0.5 * (za * za - ua * ua)) *
-                  (StandardNormal::cdf(zb) - StandardNormal::cdf(za));
-    return StandardNormal::cdf(ua) * a.rate - StandardNormal::cdf(ub) * b.rate + between;
+                  (core::normal_cdf(zb) - core::normal_cdf(za));
+    return core::normal_cdf(ua) * a.rate - core::normal_cdf(ub) * b.rate + between;
 }
 
 } // namespace

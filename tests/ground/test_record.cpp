@@ -279,6 +279,7 @@ TEST_CASE("record: a unit that is not certain is refused, in every language",
     CHECK_THROWS_WITH(read("# as recorded in g\n# \ntime, acc\n" + large),
                       StartsWith("r.txt:1: the unit seems to be g, and the values are too "));
     CHECK(read("time, acc [g]\n" + large)[0].motion.acceleration[1] == Approx(20 * g));
+    CHECK_THROWS_WITH(read("units: \nNPTS= 2, DT= .01\n1 200\n"), Contains("too large for g"));
     CHECK_THROWS_WITH(read("A record\nVELOCITY TIME SERIES\nNPTS= 2, DT= .01\n1 2\n"),
                       StartsWith("r.txt:2: the values are no acceleration"));
 }
@@ -311,6 +312,10 @@ TEST_CASE("record: a value that stands for a missing one is refused", "[ground][
     const std::string head = "time [s], acc [cm/s2]\n";
     CHECK_THROWS_WITH(read(head + "0.00 1.5\n0.01 -999\n0.02 2.5\n"),
                       StartsWith("r.txt:2: value 2 is -999, which stands for a missing one"));
+    CHECK_THROWS_WITH(read(head + "0.00 -999\n0.01 1\n0.02 2.5\n"),
+                      Contains("value 1 is -999"));
+    CHECK_THROWS_WITH(read(head + "0.00 1\n0.01 2.5\n0.02 -9999\n"),
+                      Contains("value 3 is -9999"));
     CHECK(read(head + "0.00 -990\n0.01 -999\n0.02 -980\n")[0].motion.acceleration.size() == 3);
 }
 

@@ -62,13 +62,12 @@ void check_rates(const Csv& csv, const std::string& head)
     if (has("prob") || has("poe"))
         throw ConfigError(
             csv.path, 1, head,
-            "annual rates [1/a] are read here, no probabilities; convert those of "
-            "T years: rate = -ln(1 - p) / T");
+            "annual rates [1/a] are read here, no probabilities; convert those of T years: "
+            "rate = -ln(1 - p) / T");
     if (has("period"))
         throw ConfigError(
             csv.path, 1, head,
-            "annual rates [1/a] are read here; convert return periods: rate = 1 / "
-            "period");
+            "annual rates [1/a] are read here; convert return periods: rate = 1 / period");
     constexpr std::array<std::string_view, 8> kPerYear = {"1/a",      "1/y",   "1/yr", "1/year",
                                                           "per year", "/year", "a^-1", "yr^-1"};
     const std::size_t begin = low.find_first_of("[(");
