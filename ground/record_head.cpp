@@ -107,8 +107,8 @@ HeadUnit odd(std::size_t line, std::string_view unit)
                              " is no unit of acceleration; use g, m/s2, cm/s2, mm/s2 or g/10");
 }
 
-/// The unit if there is one, a doubt if there are several. A lone G beside others is the name of
-/// a station or component.
+/// The unit if there is one, a doubt if there are several. A lone G beside others is the name
+/// of a station or component.
 HeadUnit the_one(std::vector<std::string> units, std::size_t line, bool alone)
 {
     if (units.size() > 1) std::erase(units, "G");

@@ -28,7 +28,7 @@ double rate_between(const HazardPoint& a, const HazardPoint& b, double median,
     const double ua = std::log(a.intensity / median) / dispersion;
     const double ub = std::log(b.intensity / median) / dispersion;
     const double za = ua + k * dispersion, zb = ub + k * dispersion;
-    // Steep hazard makes c huge: where both ends are in one tail, c is written by H phi(u) there.
+    // Steep hazard makes c huge: with both ends in one tail, c is written by H phi(u) there.
     double between = 0.0;
     if (za >= 0.0)
         between = a.rate * core::normal_density(ua) * tail_ratio(za) -

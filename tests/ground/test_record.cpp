@@ -295,7 +295,7 @@ TEST_CASE("record: heads in several lines, padded lines and rounded times are re
     std::string padded = record_texts::v1(40);
     for (std::size_t at = padded.find("  0.000  ");
          (at = padded.find('\n', at)) < padded.size();)
-        padded.insert(at, "   "), at += 4;
+        padded.insert(at, std::string(10, ' ')), at += 11;
     CHECK(read(padded)[0].motion.acceleration ==
           read(record_texts::v1(40))[0].motion.acceleration);
     std::string rounded = "time [s], acc [m/s2]\n";
