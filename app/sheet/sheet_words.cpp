@@ -1,5 +1,6 @@
 #include "app/sheet/sheet_words.hpp"
 
+#include "app/fragility/numbers/tested_walls.hpp"
 #include "app/input/keys/key_values.hpp"
 #include "app/input/keys/limit_state_text.hpp"
 #include "app/input/keys/study_keys.hpp"
@@ -256,12 +257,8 @@ std::vector<std::string> certainty_sentences(const Study& study, const PushedWal
             "walls tells how far the answer spreads");
     if (const std::string material = material_text(study.source); !material.empty())
         add("Values of the material: " + material);
-    add("Where this program was held against four laboratory walls of dry sandstone, its peak "
-        "forces were 28 % below to 22 % above the measured ones, and its limits within a "
-        "factor of "
-        "1.6" +
-        std::string(has_mortar(study.parameters.joint) ? "; no wall with mortar was compared"
-                                                       : ""));
+    add(tests_sentence(study.solver.damping) +
+        (has_mortar(study.parameters.joint) ? ". No wall with mortar was compared" : ""));
     if (wall.result.curve.size() > 1)
         add("The calculation itself errs by about " +
             never_rounded_away(100.0 * solver_error(wall), 2) +

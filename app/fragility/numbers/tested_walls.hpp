@@ -37,6 +37,9 @@ struct TestedWall {
 /// forces [kN].
 [[nodiscard]] std::vector<TestedWall> tested_walls(Answer answer, dem::Damping damping);
 
+/// How far tests and this program differ: "In a laboratory 7 walls ...".
+[[nodiscard]] std::string tests_sentence(dem::Damping damping);
+
 /// ln(measured / predicted); walls of one stress are repeats of one level.
 [[nodiscard]] std::vector<fragility::LevelledValue>
 log_ratios(std::span<const TestedWall> walls);

@@ -60,6 +60,16 @@ TEST_CASE("model doubt: each test lies in the interval of 90 % that the others g
     CHECK(others_hold(Answer::force, dem::Damping::combined) == std::vector(7, true));
 }
 
+TEST_CASE("model doubt: the sentence on the tests has the ratios of its table",
+          "[app][model_doubt]")
+{
+    // 68.6 / 83.1 and 22.7 / 15.4 kN; 9.28 / 16.8 and more than 22.65 / 22.3 mm
+    const std::string text = app::tests_sentence(dem::Damping::combined);
+    CHECK_THAT(text, Catch::Contains("7 walls of dry sandstone") &&
+                         Catch::Contains("peak forces were 0.83 to 1.47 times") &&
+                         Catch::Contains("of 5 of them 0.55 to more than 1.02 times"));
+}
+
 TEST_CASE("model doubt: the factor of the tests is theirs", "[app][model_doubt]")
 {
     const auto drop =
