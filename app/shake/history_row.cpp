@@ -43,7 +43,7 @@ constexpr std::array kHistoryResponses = {
     HistoryResponse{"max_drift", "-", "largest displacement of the top from its place at rest, over its height; of a wall that fell, up to there",
         [](const ReadHistory& r) { return fragility::drift(r.h.result.most_displacement, r.h.result.top_height); }},
     HistoryResponse{"max_drift_time", "s", "when", [](const ReadHistory& r) { return r.h.result.most_at; }},
-    HistoryResponse{"residual_drift", "-", "after the shaking: mean of the last fifth of the free vibration; not of a wall that fell",
+    HistoryResponse{"residual_drift", "-", "after the shaking: mean of the last second of the free vibration; not of a wall that fell",
         [](const ReadHistory& r) { return fell(r) ? kNoValue : fragility::drift(r.h.result.residual_displacement, r.h.result.top_height); }},
     HistoryResponse{"collapse_time", "s", "when the wall had come down by 2 % of its height; only of one that fell",
         [](const ReadHistory& r) { return fell(r) ? r.h.result.collapse_time : kNoValue; }},

@@ -7,15 +7,23 @@ namespace dem {
 
 namespace {
 
-constexpr long long kWindows = 5;
+constexpr long long kLeastWindows = 5;
+constexpr double kWindow = 1.0; // [s]
 // Against the motion that is borne (choices): a swing of two thousandths of the height about a
 // place that is the same within three hundred thousandths, where a ten thousandth is borne.
 constexpr double kSwing = 20.0, kShift = 0.3;
 
+long long windows_of(const ShakingClock& clock)
+{
+    const double time = static_cast<double>(clock.last - clock.record) * clock.dt;
+    return std::max(kLeastWindows, std::llround(time / kWindow));
+}
+
 } // namespace
 
 FreeVibration::FreeVibration(const ShakingClock& clock)
-    : length_((clock.last - clock.record) / kWindows), from_(clock.last - kWindows * length_)
+    : length_((clock.last - clock.record) / windows_of(clock)),
+      from_(clock.last - windows_of(clock) * length_)
 {
 }
 

@@ -2,9 +2,9 @@
 /// The top of a wall after the record: where it comes to lie, and when nothing comes of it any
 /// more.
 ///
-/// The free vibration is looked at in windows of a fifth of its longest time. It is quiet after
-/// a window in which the top has hardly moved, and after one in which it swings a little about
-/// the same place as in the window before. Joints hardly damp the lowest frequencies of a wall,
+/// The free vibration is looked at in windows of a second, or of a fifth of its longest time if
+/// that is shorter. It is quiet after a window in which the top has hardly moved, and after one
+/// in which it swings a little about the same place as in the window before. Joints hardly damp the lowest frequencies of a wall,
 /// so that a small swing lasts for minutes and changes nothing.
 
 #include "dem/shaking/shaking_clock.hpp"

@@ -31,6 +31,15 @@ constexpr int kMostReductions = 6;
 // is a free choice: where joints become much stiffer, the ledger asks for a smaller step.
 constexpr double kStiffer = 4.0;
 constexpr long long kLookEvery = 50;
+constexpr double kUsualFreeVibration = 5.0; // [s] hardly a wall moves longer
+
+/// Share of a history that is done, at most 1.
+double share_done(const ShakingClock& clock)
+{
+    const double usual = static_cast<double>(clock.record) + kUsualFreeVibration / clock.dt;
+    const double all = std::min(usual, static_cast<double>(clock.last));
+    return std::min(1.0, static_cast<double>(clock.step) / all);
+}
 
 } // namespace
 
@@ -205,8 +214,7 @@ template <class Real> void HistoryRun::judge(const ShakenWalls<Real>& walls, int
     }
     r_.uplift = std::max(r_.uplift, open_share(task_->tables, foot_, walls.state, lane));
     if (plan_.progress && clock_.step % (100 * kLookEvery) == 0)
-        plan_.progress(static_cast<double>(clock_.step) / static_cast<double>(clock_.last),
-                       top_u_);
+        plan_.progress(share_done(clock_), top_u_);
     if (!collapsed(walls, lane)) return;
     r_.outcome = ShakeOutcome::collapsed;
     r_.collapse_time = time;

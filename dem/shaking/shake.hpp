@@ -36,9 +36,10 @@ struct ShakePlan {
     LoadMass load = LoadMass::none;
     double load_height =
         0.0; ///< of the floor's mass above the point on which the load acts [m]
-    double free_vibration = 5.0; ///< longest time that is followed after the record [s], >= 0
-    /// Free vibration ends after a fifth of it in which the top has moved by no more than this
-    /// share of the wall's height, swings included [-]; 0: never.
+    double free_vibration = 30.0; ///< longest time that is followed after the record [s], >= 0
+    /// Free vibration ends after a second in which the top has moved by no more than this share
+    /// of the wall's height, or has swung a little about one place (free_vibration.hpp) [-]; 0:
+    /// never.
     double quiet = 0.0;
     double record_every = 0.005;  ///< between points of the history [s], > 0
     double contact_damping = 0.0; ///< zeta of dry joints [-], >= 0
@@ -78,8 +79,8 @@ struct ShakeResult {
     double most_displacement = 0.0; ///< largest distance of the top from its place at rest [m]
     double most_at = 0.0;           ///< when [s]
     double residual_displacement =
-        0.0;                    ///< mean of the top in the last fifth of the free vibration [m]
-    bool still = false;         ///< at the end nothing moves any more
+        0.0;            ///< mean of the top in the last second of the free vibration [m]
+    bool still = false; ///< at the end nothing moves any more
     double collapse_time = 0.0; ///< [s]; only of a wall that collapsed
     bool overturned =
         false; ///< collapsed as a whole: in the mean by weight past length over height

@@ -8,6 +8,6 @@ namespace dem {
 /// is a row of *Changes that move results* in CHANGELOG.md.
 ///   1  version 0.1.0 (commit 5349d36)
 ///   2  version 0.2.0; nobody had the states between
-constexpr int kSolverRevision = 10;
+constexpr int kSolverRevision = 11;
 
 } // namespace dem

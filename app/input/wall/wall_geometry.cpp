@@ -41,13 +41,18 @@ dem::Point parse_corner(std::string_view text)
             parse_coordinate(trimmed(text.substr(blank)))};
 }
 
-/// Lintels, which never crack, in drawings and where `scene` exports a wall in courses.
-constexpr std::string_view kLintels = "lintel";
-
 /// 0 where the layer is of the wall's own stone.
 int material_of(const std::vector<std::string>& layers, std::string_view layer)
 {
     const auto at = std::ranges::find(layers, layer);
+    return at == layers.end() ? 0 : 1 + static_cast<int>(at - layers.begin());
+}
+
+/// Lintels, which never crack, in drawings and where `scene` exports a wall in courses: the
+/// layer "lintel" or "Lintel". 0 where no layer is.
+int lintels_of(const std::vector<std::string>& layers)
+{
+    const auto at = std::ranges::find(layers, "lintel", lower_case);
     return at == layers.end() ? 0 : 1 + static_cast<int>(at - layers.begin());
 }
 
@@ -83,6 +88,19 @@ std::filesystem::path path_of(const GeometryInput& geometry, const StudyFile& so
     return path_from(source, "wall.geometry", geometry.file);
 }
 
+/// One spelling of each layer, that of the study if it names the layer: CAD programs do not
+/// tell "Lintel" from "LINTEL".
+void spell_layers(Drawing& drawing, std::vector<std::string> spellings)
+{
+    for (DrawnBlock& b : drawing.blocks) {
+        const auto known = std::ranges::find(spellings, lower_case(b.layer), lower_case);
+        if (known == spellings.end())
+            spellings.push_back(b.layer);
+        else
+            b.layer = *known;
+    }
+}
+
 void read_file(Study& study)
 {
     GeometryInput& g = study.geometry;
@@ -95,9 +113,9 @@ void read_file(Study& study)
                     study.source, key,
                     "missing; a picture does not say its size: write for example 1.20 m");
     const bool unit_given = find_entry(study.source, "wall.length_unit") != nullptr;
-    const Drawing drawing =
-        read_drawing(path, {g.length_unit, unit_given, g.snap, g.close_outlines,
-                            g.picture_width, g.picture_height, g.simplify});
+    Drawing drawing = read_drawing(path, {g.length_unit, unit_given, g.snap, g.close_outlines,
+                                          g.picture_width, g.picture_height, g.simplify});
+    if (lower_case(path.extension().string()) == ".dxf") spell_layers(drawing, g.layers);
     g.notes = drawing.notes;
     if (std::string note = layers_note(drawing, g.layers); !note.empty())
         g.notes.push_back(std::move(note));
@@ -139,7 +157,7 @@ dem::DrawnWall drawn_wall(const Masonry& masonry, const StudyFile& source)
     dem::DrawnWall wall;
     wall.units = masonry.geometry.units;
     wall.stones = masonry.geometry.stones;
-    wall.lintels = material_of(masonry.geometry.layers, kLintels);
+    wall.lintels = lintels_of(masonry.geometry.layers);
     wall.thickness = masonry.wall.thickness;
     wall.base = masonry.wall.base;
     const bool given = find_entry(source, "wall.unit_length") != nullptr;

@@ -72,6 +72,22 @@ bool has_note(const app::Study& study, const std::string& text)
     return false;
 }
 
+/// A study of two stones drawn in DXF, with these layers below and above.
+app::PreparedStudy dxf_wall(const std::string& below, const std::string& above,
+                            const std::string& more = "", const std::string& unit = "")
+{
+    const scenes::TemporaryFolder folder;
+    std::ofstream(folder.path / "w.dxf")
+        << scenes::dxf_text(scenes::lwpolyline(rectangle(0, 0, 400, 300), true, below) +
+                            scenes::lwpolyline(rectangle(0, 300, 400, 400), true, above));
+    std::string study = kWall;
+    study.replace(study.find("w.json"), 6, "w.dxf");
+    study.insert(study.find("thickness"), more);
+    std::ofstream(folder.path / "study.ini") << study << kBeam << unit;
+    return app::prepare(
+        app::read_study(app::read_study_file((folder.path / "study.ini").string())));
+}
+
 /// Refusal of a study of one block with these lines more in [wall].
 std::string refusal_of(const std::string& wall, const std::string& file = "w.json")
 {
@@ -161,6 +177,32 @@ TEST_CASE("layer stones: names, values and layers that cannot be meant are refus
                Catch::Contains("has no layer \"lintel\"; it has: sill, wall"));
     CHECK_THAT(refusal_of("picture_width = 1 m\npicture_height = 1 m\n" + sill + "\n", "w.png"),
                Catch::Contains("a picture has none: draw the wall"));
+}
+
+TEST_CASE("layers: DXF does not tell upper from lower case", "[app][drawn_ends]")
+{
+    CHECK(dxf_wall("Stone", "STONE").study.geometry.drawn_layers ==
+          std::vector<std::string>{"Stone"});
+    const app::Study sill =
+        dxf_wall("Stone", "SILL", "layer_stones = Sill: 30 GPa, 0.2, 2500 kg/m3\n").study;
+    CHECK(sill.geometry.drawn_layers == std::vector<std::string>{"Stone", "Sill"});
+    CHECK(sill.geometry.units.at(0).material == 0);
+    CHECK(sill.geometry.units.at(1).material == 1);
+    // a layer of lintels, whose stones never crack
+    const std::string halves = "unit_length = 0.40 m\n";
+    const std::string stone = ": 30 GPa, 0.2, 2500 kg/m3\n";
+    const std::string unit = R"([unit]
+tensile_strength = 3.7 MPa
+fracture_energy = 110 N/m
+friction_angle = 35 deg
+)";
+    const auto cracks = [&](const std::string& layer) {
+        return dxf_wall("Stone", layer, halves + "layer_stones = " + layer + stone, unit)
+            .layout.n_cracks;
+    };
+    CHECK(cracks("SILL") == 2);
+    CHECK(cracks("LINTEL") == 1);
+    CHECK(cracks("lintel") == 1);
 }
 
 TEST_CASE("layers: a drawing with several says how many stones each has", "[app][drawn_ends]")

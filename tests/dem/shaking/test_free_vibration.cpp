@@ -19,19 +19,19 @@ struct Motion {
     int windows;  ///< until it is quiet; 0: it never is
 };
 
-dem::ShakingClock clock_of_five_windows()
+dem::ShakingClock clock_with(double free_vibration)
 {
     dem::ShakePlan plan;
     plan.step = 0.01;
     plan.horizontal.assign(101, 0.0);
-    plan.free_vibration = 5.0;
+    plan.free_vibration = free_vibration;
     return dem::shaking_clock(plan, 1e-3);
 }
 
 /// Windows until the wall is quiet, and the mean of the top in the last one [m].
 std::pair<int, double> quiet_after(const Motion& motion, double borne)
 {
-    dem::ShakingClock clock = clock_of_five_windows();
+    dem::ShakingClock clock = clock_with(5.0);
     dem::FreeVibration top(clock);
     const long long window = (clock.last - clock.record) / 5;
     for (; clock.step < clock.last; ++clock.step) {
@@ -67,7 +67,7 @@ TEST_CASE("free vibration: it is over where the top rests, or swings a little ab
 TEST_CASE("free vibration: it is looked at after the record alone",
           "[dem][shaking][free_vibration]")
 {
-    const dem::ShakingClock clock = clock_of_five_windows();
+    const dem::ShakingClock clock = clock_with(5.0);
     dem::FreeVibration top(clock);
     dem::ShakingClock early = clock;
     for (; early.step < clock.record; ++early.step) {
@@ -78,4 +78,20 @@ TEST_CASE("free vibration: it is looked at after the record alone",
     CHECK(early.time() == Approx(1.0));
     top.add(early, 2.0);
     CHECK(top.mean() == 2.0);
+}
+
+TEST_CASE("free vibration: its windows last a second, and a fifth of a short one",
+          "[dem][shaking][free_vibration]")
+{
+    for (const auto& [most, window] :
+         {std::pair{2.0, 0.4}, {5.0, 1.0}, {5.4, 1.08}, {30.0, 1.0}}) {
+        INFO(most);
+        dem::ShakingClock clock = clock_with(most);
+        dem::FreeVibration top(clock);
+        for (clock.step = clock.record; clock.step < clock.last; ++clock.step) {
+            top.add(clock, 0.0);
+            if (top.quiet(clock, kBorne)) break;
+        }
+        CHECK(clock.time() - 1.0 == Approx(window).margin(2e-3));
+    }
 }
