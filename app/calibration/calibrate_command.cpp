@@ -3,7 +3,7 @@
 #include "app/calibration/tested_factor.hpp"
 #include "app/commands.hpp"
 #include "app/fragility/drift_csv.hpp"
-#include "app/input/study/units.hpp"
+#include "app/input/keys/key_values.hpp"
 #include "app/input/study_name.hpp"
 #include "app/input/study_reading.hpp"
 #include "app/output/picture/markup.hpp"
@@ -49,10 +49,13 @@ std::vector<std::string> overrides_of(const Command& command)
     const Study study = read_study(command.study, command.overrides);
     std::vector<double> stresses = study.load.vertical_stress;
     for (const std::string& text : command.predict) {
-        const double stress = read_at({"drystone", {}, {}, 0}, "--predict",
-                                      [&] { return parse_quantity(text, "MPa"); });
-        if (std::ranges::none_of(stresses, [&](double s) { return same_stress(s, stress); }))
-            stresses.push_back(stress);
+        const std::vector<double> further = read_at({"drystone", {}, {}, 0}, "--predict", [&] {
+            return parse_value(*find_key(kKey), text);
+        });
+        for (const double stress : further)
+            if (std::ranges::none_of(stresses,
+                                     [&](double s) { return same_stress(s, stress); }))
+                stresses.push_back(stress);
     }
     std::ranges::sort(stresses);
     std::string value;

@@ -443,6 +443,8 @@ TEST_CASE("calibration: the verb predicts under a further stress, and says what 
     CHECK(std::ranges::count(stresses, '\n') == 4);
     CHECK_THROWS_WITH(c.run(kPeaks, "study.ini", "other", {"--predict", "0.75"}),
                       Catch::StartsWith("drystone: --predict: missing unit"));
+    CHECK_THROWS_WITH(c.run(kPeaks, "study.ini", "other", {"--predict", "-1 MPa"}),
+                      Catch::StartsWith("drystone: --predict: \"-1 MPa\" is out of range"));
     CHECK_THROWS_WITH(c.run("stress [MPa],drop [mm]\n0.5,3\n", "out/walls.h5", "other"),
                       Catch::Contains("no test is left to learn from. Not used, displacement "
                                       "at the drop under 0.50 MPa: 10 of 10 walls outlast"));
