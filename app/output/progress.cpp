@@ -69,7 +69,8 @@ void Progress::update(double done, std::string_view text, double all)
     if (!due) return;
     const double left = done_sum_ > 0.0 ? (all - done) * time_sum_ / done_sum_
                                         : std::numeric_limits<double>::infinity();
-    write_line(line(done / all, clock_text(left) + " left", text), now);
+    const std::string time = (options_.ends_early ? "at most " : "") + clock_text(left);
+    write_line(line(done / all, time + " left", text), now);
 }
 
 void Progress::remark(std::string_view sentence)

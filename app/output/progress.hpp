@@ -9,9 +9,10 @@
 namespace app {
 
 struct ProgressOptions {
-    bool terminal = false; ///< redraw one line; else plain lines
-    bool quiet = false;    ///< write nothing
-    int width = 80;        ///< of the terminal in columns, > 0
+    bool terminal = false;   ///< redraw one line; else plain lines
+    bool quiet = false;      ///< write nothing
+    int width = 80;          ///< of the terminal in columns, > 0
+    bool ends_early = false; ///< the work may turn out less: "at most 0:15 left"
 };
 
 /// Silent for the first two seconds. In a terminal: one line, redrawn at most 10 times a

@@ -25,6 +25,13 @@ std::string why_again(const dem::PushProgress& before, const dem::PushProgress& 
     return {};
 }
 
+/// Most pushes end at the drop of their force, far from their last displacement.
+ProgressOptions ending_early(ProgressOptions options)
+{
+    options.ends_early = true;
+    return options;
+}
+
 int starts(const dem::PushProgress& p)
 {
     return 1 + p.slow_starts + p.step_reductions + p.slowdowns;
@@ -35,7 +42,7 @@ int starts(const dem::PushProgress& p)
 PushLine::PushLine(std::vector<std::string> walls, double accuracy, std::ostream& out,
                    ProgressOptions options, Progress::Clock clock)
     : names_(std::move(walls)), accuracy_(accuracy), work_(names_.size()),
-      line_(out, options, std::move(clock))
+      line_(out, ending_early(options), std::move(clock))
 {
 }
 

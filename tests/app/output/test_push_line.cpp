@@ -76,9 +76,9 @@ TEST_CASE("push line: the second push counts as work to do, and its time left is
     w.push(kFirst, 35.0);
     w.push(kSlower, 70.0);
     const std::vector<std::string> lines = w.lines();
-    CHECK_THAT(lines[0], StartsWith(" 28 % 0:25 left"));
-    CHECK_THAT(lines[4], StartsWith(" 38 % 1:05 left")); // at 40 s of 105 s
-    CHECK_THAT(lines[10], StartsWith(" 95 % 0:05 left"));
+    CHECK_THAT(lines[0], StartsWith(" 28 % at most 0:25 left"));
+    CHECK_THAT(lines[4], StartsWith(" 38 % at most 1:05 left")); // at 40 s of 105 s
+    CHECK_THAT(lines[10], StartsWith(" 95 % at most 0:05 left"));
 }
 
 TEST_CASE("push line: a smaller step and a slow start say why", "[app][push_line]")
@@ -108,13 +108,13 @@ TEST_CASE("push line: the walls of two threads add up, and a reason names its wa
             w.line.update(p);
         }
     }
-    CHECK_THAT(w.lines().front(), StartsWith(" 49 % 0:10 left"));
+    CHECK_THAT(w.lines().front(), StartsWith(" 49 % at most 0:10 left"));
     w.line.end(0);
     dem::PushProgress slower = kSlower;
     slower.wall = 1;
     w.push(slower, 40.0);
     CHECK_THAT(w.out.str(), Contains("\n1.00 MPa: pushed again, twice as slowly"));
-    CHECK_THAT(w.lines().back(), StartsWith("100 % 0:00 left"));
+    CHECK_THAT(w.lines().back(), StartsWith("100 % at most 0:00 left"));
 }
 
 TEST_CASE("push line: in a terminal the reason stands above the line that is redrawn",
