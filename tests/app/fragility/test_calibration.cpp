@@ -401,9 +401,10 @@ TEST_CASE("calibration: the verb learns from the energy of a cycle, in J or kJ",
     // the prior of a further wall is the loop that the walls of the study made
     CHECK_THAT(c.text("little/further_wall.csv"),
                Catch::Contains("energy of cycle 2 [J],0.5,1,"));
-    REQUIRE(c.run(head + "kJ]\n0.5,0.04\n1,0.05\n", "study.ini", "kilo", more) == 0);
+    const std::string walls = "little/walls.h5";
+    REQUIRE(c.run(head + "kJ]\n0.5,0.04\n1,0.05\n", walls, "kilo") == 0);
     CHECK(c.text("kilo/posterior.csv") == c.text("little/posterior.csv"));
-    REQUIRE(c.run(head + "J]\n0.5,230\n1,250\n", "study.ini", "much", more) == 0);
+    REQUIRE(c.run(head + "J]\n0.5,230\n1,250\n", walls, "much") == 0);
     // walls of strong joints hardly slip and lose less: the loop moves the friction both ways
     const auto friction = [&](const char* out, const char* column) {
         const app::Csv inputs =
