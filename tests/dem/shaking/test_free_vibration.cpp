@@ -14,9 +14,10 @@ constexpr double kBorne = 1e-4; // [m]
 
 struct Motion {
     const char* name;
-    double swing; ///< from side to side, over what is borne [-]
-    double shift; ///< of the middle in a window, over what is borne [-]
-    int windows;  ///< until it is quiet; 0: it never is
+    double swing;           ///< from side to side, over what is borne [-]
+    double shift;           ///< of the middle in a window, over what is borne [-]
+    int windows;            ///< until it is quiet; 0: it never is
+    double frequency = 7.0; ///< [Hz]
 };
 
 dem::ShakingClock clock_with(double free_vibration)
@@ -29,15 +30,16 @@ dem::ShakingClock clock_with(double free_vibration)
 }
 
 /// Windows until the wall is quiet, and the mean of the top in the last one [m].
-std::pair<int, double> quiet_after(const Motion& motion, double borne)
+std::pair<int, double> quiet_after(const Motion& motion, double borne, double longest = 5.0)
 {
-    dem::ShakingClock clock = clock_with(5.0);
+    dem::ShakingClock clock = clock_with(longest);
     dem::FreeVibration top(clock);
-    const long long window = (clock.last - clock.record) / 5;
+    const long long window = std::llround(1.0 / clock.dt);
     for (; clock.step < clock.last; ++clock.step) {
         const double time = clock.time() - 1.0; // since the record has ended [s]
-        const double at = 0.5 * motion.swing * std::sin(2.0 * std::numbers::pi * 7.0 * time) +
-                          motion.shift * time;
+        const double at =
+            0.5 * motion.swing * std::sin(2.0 * std::numbers::pi * motion.frequency * time) +
+            motion.shift * time;
         top.add(clock, kBorne * at);
         if (top.quiet(clock, borne))
             return {static_cast<int>((clock.step - clock.record) / window), top.mean()};
@@ -94,4 +96,21 @@ TEST_CASE("free vibration: its windows last a second, and a fifth of a short one
         }
         CHECK(clock.time() - 1.0 == Approx(window).margin(2e-3));
     }
+}
+
+TEST_CASE("free vibration: a longer look tells the place about which the top swings more",
+          "[dem][shaking][free_vibration]")
+{
+    const auto m = GENERATE(values<Motion>({{"swings a little", 19.0, 0.0, 2},
+                                            {"swings", 21.0, 0.0, 6},
+                                            {"swings more", 99.0, 0.0, 6},
+                                            {"swings much", 101.0, 0.0, 0},
+                                            {"swings and creeps", 99.0, 0.09, 6},
+                                            {"swings and moves", 99.0, 0.11, 0},
+                                            {"swings slowly", 99.0, 0.0, 0, 0.6}}));
+    INFO(m.name);
+    const auto [windows, mean] = quiet_after(m, kBorne, 30.0);
+    CHECK(windows == m.windows);
+    const double middle = m.windows - (m.windows > 2 ? 1.5 : 0.5); // of the last windows [s]
+    if (windows > 0) CHECK(mean == Approx(kBorne * m.shift * middle).margin(0.02 * kBorne));
 }
