@@ -23,6 +23,7 @@ class Recorder {
     static constexpr int kAfterTurn = 32;
     /// Steps over which a point is a mean, if it may be.
     static constexpr int kSteps = 100;
+    static constexpr int kFewSteps = 5; ///< of a part of an interval of few steps
 
     /// Forces of the drive and of the ground [N].
     struct Forces {
@@ -46,11 +47,7 @@ class Recorder {
         now_.force += mean * way;
         now_.base += base * way;
         now_.gap += (gap < 0.0 ? -gap : gap) * way;
-        if (now_.way - marks_[2].way < fine_interval() || now_.steps - marks_[2].steps < kSteps)
-            return;
-        marks_[0] = marks_[1];
-        marks_[1] = marks_[2];
-        marks_[2] = now_;
+        for (Parts* parts : {&long_parts_, &short_parts_}) parts->add(now_, fine_interval());
     }
 
     [[nodiscard]] bool due() const { return now_.way + late_ >= interval(); }
@@ -77,7 +74,7 @@ class Recorder {
         last_ = travelled_ - 0.5 * all.way;
         late_ = std::clamp(now_.way + late_ - interval(), 0.0, 0.5 * interval());
         end_ = forces_at_end();
-        marks_ = {};
+        for (Parts* parts : {&long_parts_, &short_parts_}) parts->begins = {};
         before_.push_back(now_);
         if (before_.size() > static_cast<std::size_t>(kSteps)) before_.pop_front();
         now_ = {};
@@ -92,8 +89,9 @@ class Recorder {
 
     /// Forces where the last interval ended, along the line through the means of its last two
     /// parts: the curve may bend within the interval, where a line through two points leaves
-    /// it. Each part is as long as an interval after a turn and has kSteps steps or more;
-    /// nothing where the interval has fewer than two.
+    /// it. Each part is as long as an interval after a turn and has kSteps steps or more, or
+    /// kFewSteps where the interval has fewer than two of those; nothing where it has fewer than
+    /// two of these.
     [[nodiscard]] std::optional<Forces> at_end() const { return end_; }
 
     /// Intervals between points that the last point is a mean of.
@@ -114,12 +112,24 @@ class Recorder {
             gap += s.gap;
         }
     };
+    /// Where the last parts of the interval at hand begin.
+    struct Parts {
+        int least; ///< steps of a part
+        std::array<Sums, 3> begins = {};
+        void add(const Sums& now, double way)
+        {
+            if (now.way - begins[2].way < way || now.steps - begins[2].steps < least) return;
+            begins = {begins[1], begins[2], now};
+        }
+    };
     [[nodiscard]] double fine_interval() const { return 2.0 * every_ / kAfterTurn; } ///< [m]
     [[nodiscard]] double interval() const { return fine_ > 0 ? fine_interval() : every_; }
 
     [[nodiscard]] std::optional<Forces> forces_at_end() const
     {
-        const Sums &begin = marks_[0], &middle = marks_[1];
+        const bool has_long = long_parts_.begins[1].way > 0.0;
+        const auto& [begin, middle, unfinished] =
+            has_long ? long_parts_.begins : short_parts_.begins;
         if (middle.way == 0.0) return std::nullopt;
         const double last = now_.way - middle.way, before = middle.way - begin.way;
         const auto led = [&](double sum_now, double sum_middle, double sum_begin) {
@@ -136,7 +146,7 @@ class Recorder {
     double late_ =
         0.0; ///< way by which the last point was late: no step is as long as is left [m]
     Sums now_;
-    std::array<Sums, 3> marks_; ///< of this interval, where its last parts begin
+    Parts long_parts_{kSteps}, short_parts_{kFewSteps};
     std::optional<Forces> end_; ///< of the last interval
     std::deque<Sums> before_;   ///< of this way
     std::size_t joined_ = 1;
