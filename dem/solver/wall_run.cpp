@@ -164,7 +164,7 @@ template <class Real> void WallRun::begin_push(const WallState<Real>& state, int
     result_.residual = std::max(result_.residual, std::abs(e.residual()));
     const double force = dem::lane(state.top_force, lane);
     result_.curve.push_back({0.0, force, dem::lane(state.base_shear, lane), 0.0, e});
-    if (drive_.turns_back()) recorder_.begin_way();
+    recorder_.begin_way(drive_.turns_back() ? Recorder::kAfterTurn : Recorder::kAtStart);
     result_.settled = drive_.settled();
     Snapshot s = take_snapshot(task_->model, task_->tables, state, lane, 0.0, force);
     result_.settlement = settlement_of(s);
@@ -261,6 +261,7 @@ template <class Real> void WallRun::take_point(const WallState<Real>& state, int
     };
     if (std::abs(p.force) > peak_) {
         peak_ = std::abs(p.force);
+        resists_ = p.force * drive_.position() > 0.0;
         result_.at_drop.reset();
         if (task_->plan.snapshot_at_peak) result_.at_peak = snapshot();
         if (peak_ > kNearPeak * std::abs(result_.near_peak.force))
@@ -442,20 +443,26 @@ void WallRun::start_slowly()
 bool WallRun::passed_peak()
 {
     if (drive_.turns_back()) return false;
+    const double held = std::abs(result_.curve.front().force), rise = peak_ - held;
     const bool doubled = way_ >= 2.0 * looked_.way,
-               flat = doubled && peak_ <= kFlat * looked_.peak;
+               flat = doubled && rise <= kFlat * (looked_.peak - held);
     if (doubled) looked_ = {way_, peak_};
-    const bool past = flat || std::abs(result_.curve.back().force) <= kPast * peak_;
+    const bool past = (flat && resists_) || is_past();
     if (!past || peak_ == estimated_) return false;
     estimated_ = peak_;
     return true;
 }
 
+/// A force that holds the loaded wall against the push falls at first, and is no peak.
+bool WallRun::is_past() const
+{
+    return resists_ && std::abs(result_.curve.back().force) <= kPast * peak_;
+}
+
 /// A slower push is as fast as the first one where its peak is past.
 void WallRun::keep_pace()
 {
-    const bool past =
-        !drive_.turns_back() && std::abs(result_.curve.back().force) <= kPast * peak_;
+    const bool past = !drive_.turns_back() && is_past();
     if (result_.slowdowns == 0 || past == eased_) return;
     eased_ = past;
     const double slowed = std::pow(kSlowdown, result_.slowdowns);
@@ -506,7 +513,7 @@ void WallRun::start_again()
     recorder_ = Recorder(task_->plan.record_every, options_.accuracy);
     peak_ = peak_then_ = estimated_ = 0.0;
     looked_ = {};
-    peak_known_ = eased_ = false;
+    peak_known_ = eased_ = resists_ = false;
     farthest_ = way_ = next_snapshot_ = drive_work_ = work_before_push_ = 0.0;
     work_half_way_ = least_given_ = 0.0;
     trail_.clear();

@@ -74,6 +74,7 @@ class WallRun {
     [[nodiscard]] bool passed_peak();
     [[nodiscard]] bool wants_slowdown();
     void slow_down();
+    [[nodiscard]] bool is_past() const;
     void keep_pace();
 
     const Task* task_;
@@ -102,6 +103,7 @@ class WallRun {
     bool eased_ = false;            ///< whether a slower push goes on as fast as the first
     double error_before_ = 0.0;     ///< of the peak of the push before [-]
     double peak_ = 0.0;             ///< largest force so far, either way [N]
+    bool resists_ = false;          ///< that force acts against the displacement
     double farthest_ = 0.0;         ///< distance of the farthest turn so far [m]
     double way_ = 0.0;              ///< displacement travelled since the start of the push [m]
     double drive_work_ = 0.0;       ///< since the start of the push [J]

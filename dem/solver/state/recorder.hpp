@@ -19,8 +19,9 @@ namespace dem {
 class Recorder {
   public:
     /// Points that are closer after a turn, and at the start of a push that turns back, where
-    /// the force changes fast: they reach as far as two others.
-    static constexpr int kAfterTurn = 32;
+    /// the force changes fast: they reach as far as two others. The first points of a push one
+    /// way are as close and reach as far as one other.
+    static constexpr int kAfterTurn = 32, kAtStart = 16;
     /// Steps over which a point is a mean, if it may be.
     static constexpr int kSteps = 100;
     static constexpr int kFewSteps = 5; ///< of a part of an interval of few steps
@@ -51,9 +52,11 @@ class Recorder {
     }
 
     [[nodiscard]] bool due() const { return now_.way + late_ >= interval(); }
-    void begin_way() ///< to be called at a turn, and at the start of a push that turns back
+    /// To be called at the start and at each turn.
+    /// @param close points that are closer
+    void begin_way(int close = kAfterTurn)
     {
-        fine_ = kAfterTurn;
+        fine_ = close;
         late_ = 0.0;
         before_.clear();
     }
