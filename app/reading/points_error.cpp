@@ -22,10 +22,10 @@ const dem::Snapshot* later(const dem::PushResult& push)
 
 double points_error(const dem::PushResult& push)
 {
-    const double peak = std::abs(push.near_peak.force);
+    const double peak = std::abs(push.faces_at_peak.force);
     if (dem::failed(push.outcome) || !(peak > 0.0))
         return std::numeric_limits<double>::quiet_NaN();
-    double most = std::abs(dem::points_excess(push.near_peak));
+    double most = std::abs(dem::points_excess(push.faces_at_peak));
     if (const dem::Snapshot* const late = later(push))
         most = std::max(most, std::abs(dem::points_excess(*late)));
     return most / peak;

@@ -6,9 +6,9 @@
 namespace app {
 
 /// Estimated error of the horizontal force by the number of contact points, as a share of the
-/// peak [-], >= 0: the larger one of that near the peak (PushResult::near_peak) and that later,
-/// where the force had come down to PushPlan::drop, or else at the farthest displacement. NaN
-/// where the push gave no result.
+/// peak [-], >= 0: the larger one of that at the peak and that later, where the force had come
+/// down to PushPlan::drop, or else at the farthest displacement. NaN where the push gave no
+/// result.
 [[nodiscard]] double points_error(const dem::PushResult& push);
 
 } // namespace app

@@ -50,7 +50,6 @@ constexpr double kSlowdown = 2.0;
 // less than this factor while the way has doubled.
 // Both are free choices: they move the cost, and the tail of a slower push.
 constexpr double kPast = 0.8, kFlat = 1.02;
-constexpr double kNearPeak = 1.02; // a free choice: few states are kept on the way up
 // Error of the slower of two pushes, as a multiple of the change of its peak: 1, if errors fall
 // with the accuracy asked; 2.4, with its root. Both may be wrong by the same: a small change is
 // believed down to kBelieved of the estimate of the push itself.
@@ -264,9 +263,8 @@ template <class Real> void WallRun::take_point(const WallState<Real>& state, int
         resists_ = p.force * drive_.position() > 0.0;
         result_.at_drop.reset();
         if (task_->plan.snapshot_at_peak) result_.at_peak = snapshot();
-        if (peak_ > kNearPeak * std::abs(result_.near_peak.force))
-            result_.near_peak = take_faces(task_->model, task_->tables, state, lane,
-                                           drive_.position(), p.force);
+        result_.faces_at_peak =
+            take_faces(task_->model, task_->tables, state, lane, drive_.position(), p.force);
     }
     if (task_->plan.drop > 0.0 && !result_.at_drop &&
         std::abs(p.force) <= task_->plan.drop * peak_)

@@ -100,7 +100,7 @@ inline bool same(const dem::PushResult& a, const dem::PushResult& b)
                a.snap_back_contacts == b.snap_back_contacts &&
                a.softened_in_tension == b.softened_in_tension &&
                a.softened_in_shear == b.softened_in_shear && same(a.at_peak, b.at_peak) &&
-               same(a.near_peak, b.near_peak) && same(a.at_end, b.at_end) &&
+               same(a.faces_at_peak, b.faces_at_peak) && same(a.at_end, b.at_end) &&
                a.snapshots.size() == b.snapshots.size();
     for (std::size_t i = 0; all && i < a.snapshots.size(); ++i)
         all = same(a.snapshots[i], b.snapshots[i]);

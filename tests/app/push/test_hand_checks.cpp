@@ -172,7 +172,7 @@ TEST_CASE(
     upright.faces[0].contacts[1].at.x = 1.0;
 
     dem::PushResult r;
-    r.near_peak = r.at_end = upright;
+    r.faces_at_peak = r.at_end = upright;
     CHECK(app::points_error(r) == 0.0);
     r.at_end = tilted;
     // N (c/3) theta/u over the force: springs along the face close over c = 0.1 m.
@@ -183,10 +183,10 @@ TEST_CASE(
     r.at_drop.reset();
     r.outcome = dem::Outcome::lost_equilibrium;
     CHECK(app::points_error(r) == 0.0);
-    r.near_peak = tilted;
+    r.faces_at_peak = tilted;
     CHECK(app::points_error(r) == most);
 
-    w.result.near_peak = tilted;
+    w.result.faces_at_peak = tilted;
     CHECK_THAT(remarks(w), Catch::Contains("contact points"));
 }
 
