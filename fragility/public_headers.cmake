@@ -10,6 +10,7 @@ set(FRAGILITY_PUBLIC_HEADERS
     intensity/crossed_design.hpp
     curve/curve_reading.hpp
     curve/cyclic_curve.hpp
+    curve/first_loading.hpp
     modes/equal_modes.hpp
     fits/fit_intervals.hpp
     limits/fragility_curve.hpp
@@ -22,6 +23,7 @@ set(FRAGILITY_PUBLIC_HEADERS
     fits/law_parameters.hpp
     limits/limit_quantiles.hpp
     curve/limit_states.hpp
+    curve/path_parts.hpp
     laws/maximise.hpp
     fits/median_bound.hpp
     modes/mode_lack_of_fit.hpp

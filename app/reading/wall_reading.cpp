@@ -1,6 +1,7 @@
 #include "app/reading/wall_reading.hpp"
 
 #include "fragility/curve/bilinear.hpp"
+#include "fragility/curve/first_loading.hpp"
 
 #include <algorithm>
 #include <array>
@@ -73,10 +74,13 @@ struct ToRead {
 constexpr double kLoadedAtZero = 0.1; // choice
 constexpr std::string_view kBeyondYield = "the first amplitude lies beyond yield";
 
-std::optional<double> stiffness_of(const fragility::Curve& curve, double residual)
+/// Beyond the first turn, another cycle has left a step.
+std::optional<double> stiffness_of(const fragility::Curve& curve,
+                                   const fragility::FirstLoading& first)
 {
-    const fragility::Backbone own = fragility::from_own_zero(curve, residual);
-    return fragility::secant_stiffness({own.displacement, own.force});
+    const double share = fragility::share_within(curve, first.turn, fragility::kSecantShare);
+    const fragility::Backbone own = fragility::from_own_zero(curve, first.residual);
+    return fragility::secant_stiffness({own.displacement, own.force}, share);
 }
 
 /// Least error of a fall over the accuracy asked. A free choice: the page
@@ -106,7 +110,7 @@ WallReading read_curve(const ToRead& side, bool came_down, const dem::Mechanism&
     WallReading w;
     w.peak = fragility::peak(curve);
     const bool loaded = side.turns && side.first.reach == 0.0;
-    if (!loaded) w.stiffness = stiffness_of(curve, side.first.residual);
+    if (!loaded) w.stiffness = stiffness_of(curve, side.first);
     w.ultimate =
         fragility::drop_after_peak(curve, rules.options.ultimate_share, rules.options.crossing);
     w.ultimate_range = ultimate_range(curve, w.ultimate, rules, solver_error);
@@ -162,7 +166,8 @@ ToRead mean_of(const Backbones& b)
     return {fragility::mean(b.right.backbone, b.left.backbone),
             {0.5 * (b.right.first.residual + b.left.first.residual),
              b.right.first.force + b.left.first.force,
-             std::min(b.right.first.reach, b.left.first.reach)},
+             std::min(b.right.first.reach, b.left.first.reach),
+             std::min(b.right.first.turn, b.left.first.turn)},
             true};
 }
 
@@ -249,6 +254,14 @@ WallReading lost_at_once(const ReadingRules& rules, bool settled)
     return w;
 }
 
+ToRead pushed_one_way(const fragility::Curve& curve, const ReadingRules& rules)
+{
+    ToRead side{capacity_curve(curve, rules)};
+    side.first.residual =
+        fragility::residual_at_rest({side.backbone.displacement, side.backbone.force});
+    return side;
+}
+
 } // namespace
 
 WallReading read(const fragility::Curve& curve, const dem::Mechanism& mechanism,
@@ -260,7 +273,7 @@ WallReading read(const fragility::Curve& curve, const dem::Mechanism& mechanism,
     else if (rules.direction == 0)
         w = read_to_and_fro(curve, mechanism, rules, solver_error);
     else
-        w = read_curve({capacity_curve(curve, rules)}, curve.came_down, mechanism, rules,
+        w = read_curve(pushed_one_way(curve, rules), curve.came_down, mechanism, rules,
                        solver_error);
     w.mode = dem::failure_mode(mechanism, w.dropped, rules.mode);
     w.mode_so_far = !w.dropped && dem::standing_is_undecided(rules.mode);

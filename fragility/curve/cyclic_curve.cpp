@@ -1,5 +1,7 @@
 #include "fragility/curve/cyclic_curve.hpp"
 
+#include "fragility/curve/path_parts.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -7,22 +9,6 @@
 
 namespace fragility {
 namespace {
-
-void check_path(const Path& path)
-{
-    if (path.displacement.size() != path.force.size())
-        throw std::invalid_argument("path: as many displacements as forces are needed");
-    const auto finite = [](double x) { return std::isfinite(x); };
-    if (!std::all_of(path.displacement.begin(), path.displacement.end(), finite) ||
-        !std::all_of(path.force.begin(), path.force.end(), finite))
-        throw std::invalid_argument("path: a displacement or force is not finite");
-}
-
-/// Value of y on the line through two points, at x between them.
-double between(double x0, double y0, double x1, double y1, double x)
-{
-    return x1 == x0 ? y1 : y0 + (y1 - y0) * (x - x0) / (x1 - x0);
-}
 
 /// Where the force comes to zero after the point `from`, up to the point `last`, or on the way
 /// on to the next turn: what comes back the way it went has no force at zero displacement, to
@@ -95,8 +81,6 @@ Cycle cycle_between(const Path& p, std::size_t begin, std::size_t end, bool clos
     return c;
 }
 
-int sign_of(double x) { return (x > 0.0) - (x < 0.0); }
-
 /// Forces of a backbone at a displacement within it: one unless there is a step.
 struct Step {
     double before = 0.0, after = 0.0;
@@ -137,30 +121,6 @@ void bridge(Backbone& b, std::size_t from)
 /// A path that is not the solver's may end this share of its width off zero. The solver's ends
 /// there exactly.
 constexpr double kHome = 0.005;
-
-/// A part of the path on one side of zero displacement, with the points between which it leaves
-/// and comes back.
-struct Excursion {
-    int side = 0;
-    std::size_t begin = 0, end = 0;
-};
-
-std::vector<Excursion> excursions(const Path& path)
-{
-    std::vector<Excursion> found;
-    bool open = false;
-    for (std::size_t i = 0; i < path.displacement.size(); ++i) {
-        const int side = sign_of(path.displacement[i]);
-        if (open && (side == 0 || side == found.back().side)) {
-            found.back().end = i;
-            open = side != 0;
-        } else if (side != 0) {
-            found.push_back({side, i > 0 ? i - 1 : 0, i});
-            open = true;
-        }
-    }
-    return found;
-}
 
 } // namespace
 
@@ -234,50 +194,6 @@ Backbone backbone(const Path& path, int direction)
         farthest = x;
     }
     if (left) bridge(b, *left);
-    return b;
-}
-
-FirstLoading first_loading(const Path& path, int direction, double most)
-{
-    check_path(path);
-    if (direction != 1 && direction != -1)
-        throw std::invalid_argument("first loading: the direction must be 1 or -1");
-    const auto x = [&](std::size_t i) { return direction * path.displacement[i]; };
-    const auto f = [&](std::size_t i) { return direction * path.force[i]; };
-    FirstLoading first;
-    bool comes_from_other_side = false, is_first = true;
-    for (const Excursion& e : excursions(path)) {
-        if (e.side != direction) {
-            comes_from_other_side = true;
-            continue;
-        }
-        const std::size_t out = x(e.begin) > 0.0 ? e.begin : e.begin + 1; // already out there
-        const double at_zero =
-            comes_from_other_side && out > 0
-                ? std::max(0.0, between(x(out - 1), f(out - 1), x(out), f(out), 0.0))
-                : 0.0;
-        if (is_first && at_zero > 0.0) {
-            std::size_t i = out;
-            while (i > 1 && f(i - 1) > 0.0) --i;
-            first.force = at_zero;
-            first.residual = std::max(0.0, -between(f(i - 1), x(i - 1), f(i), x(i), 0.0));
-        }
-        is_first = false;
-        if (at_zero > most) break;
-        for (std::size_t i = e.begin; i <= e.end; ++i)
-            first.reach = std::max(first.reach, x(i));
-    }
-    return first;
-}
-
-Backbone from_own_zero(const Curve& curve, double residual)
-{
-    Backbone b{{0.0}, {0.0}};
-    for (std::size_t i = 0; i < curve.displacement.size(); ++i) {
-        if (curve.displacement[i] == 0.0 && curve.force[i] == 0.0) continue;
-        b.displacement.push_back(curve.displacement[i] + residual);
-        b.force.push_back(curve.force[i]);
-    }
     return b;
 }
 

@@ -70,24 +70,6 @@ struct Backbone {
 /// @param direction 1 or -1, else std::invalid_argument
 [[nodiscard]] Backbone backbone(const Path& path, int direction);
 
-/// How a direction is loaded for the first time, on the way from the other one.
-struct FirstLoading {
-    double residual =
-        0.0;            ///< from where the force is zero to the undeformed wall [length], >= 0
-    double force = 0.0; ///< at zero displacement, in that direction [force], >= 0
-    /// Farthest displacement before the wall first comes from the other side with more force at
-    /// zero displacement than it may; 0 where it does so at once [length].
-    double reach = 0.0;
-};
-
-/// Residual and force are zero of the direction that is loaded first.
-/// @param most force at zero displacement that may be there [force], >= 0
-/// @param direction 1 or -1, else std::invalid_argument
-[[nodiscard]] FirstLoading first_loading(const Path& path, int direction, double most);
-
-/// A backbone counted from where the force was zero before it began.
-[[nodiscard]] Backbone from_own_zero(const Curve& curve, double residual);
-
 /// Mean of the forces of both, as far as both reach; steps stay.
 [[nodiscard]] Backbone mean(const Backbone& a, const Backbone& b);
 

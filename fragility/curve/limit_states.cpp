@@ -1,6 +1,6 @@
 #include "fragility/curve/limit_states.hpp"
 
-#include "fragility/curve/cyclic_curve.hpp"
+#include "fragility/curve/first_loading.hpp"
 #include "fragility/curve/state_parts.hpp"
 
 #include <algorithm>
@@ -25,20 +25,6 @@ LimitDisplacement scaled(LimitDisplacement x, double factor)
     return x;
 }
 
-/// The share of the peak at which the stiffness is read: not beyond first loading.
-double share_of_stiffness(const Curve& curve, const LimitStateOptions& o)
-{
-    const double top = peak(curve).force;
-    if (o.reach <= 0.0 || !(top > 0.0)) return o.bilinear_share;
-    double reached = 0.0;
-    for (std::size_t i = 0; i < curve.displacement.size(); ++i) {
-        if (curve.displacement[i] > o.reach) break;
-        reached = std::max(reached, curve.force[i]);
-        if (curve.displacement[i] == o.reach) break; // a step there is of the next cycle
-    }
-    return reached > 0.0 ? std::min(o.bilinear_share, reached / top) : o.bilinear_share;
-}
-
 /// Up to a censored ultimate displacement the yield is a bound that holds however the push goes
 /// on.
 LimitDisplacement yield_of(const Curve& curve, const LimitDisplacement& ultimate,
@@ -46,16 +32,18 @@ LimitDisplacement yield_of(const Curve& curve, const LimitDisplacement& ultimate
 {
     if (ultimate.reading == Reading::not_defined) return ultimate;
     if (!o.no_yield.empty()) return {0.0, Reading::not_defined, o.no_yield};
-    if (o.residual > 0.0) {
+    if (o.residual != 0.0) {
         const Backbone own = from_own_zero(curve, o.residual);
         LimitDisplacement end = ultimate;
         end.displacement += o.residual;
+        if (!(end.displacement > 0.0))
+            return {0.0, Reading::not_defined, reason(BilinearOutcome::no_elastic_branch)};
         LimitStateOptions rest = o;
         rest.residual = 0.0;
         if (o.reach > 0.0) rest.reach += o.residual;
         return yield_of({own.displacement, own.force}, end, rest);
     }
-    const double share = share_of_stiffness(curve, o);
+    const double share = share_within(curve, o.reach, o.bilinear_share);
     const Bilinear b = equal_energy_bilinear(curve, ultimate.displacement, share);
     if (b.outcome != BilinearOutcome::found)
         return {0.0, Reading::not_defined, reason(b.outcome)};

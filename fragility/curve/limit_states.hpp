@@ -28,8 +28,8 @@ struct LimitStateOptions {
     Crossing crossing = Crossing::first;    ///< of that share
     double bilinear_share = kBilinearShare; ///< of the peak [-], in (0, 1]
     double slenderness = 0.0; ///< H0 / D [-], for the words of rules; 0: not known
-    /// Distance at which the force was zero before the start of the curve [length], >= 0: the
-    /// yield is counted from there (fragility/curve/cyclic_curve.hpp).
+    /// Distance at which the force was zero before the start of the curve [length], negative
+    /// after it: the yield is counted from there (fragility/curve/cyclic_curve.hpp).
     double residual = 0.0;
     std::string_view no_yield = {}; ///< why the curve has none; empty: it has
     /// Displacement up to which the curve is that of first loading, which has the stiffness of

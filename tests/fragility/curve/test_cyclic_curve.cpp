@@ -1,4 +1,5 @@
 #include "fragility/curve/cyclic_curve.hpp"
+#include "fragility/curve/first_loading.hpp"
 
 #include "fragility/curve/curve_reading.hpp"
 
@@ -293,6 +294,39 @@ TEST_CASE("cyclic curve: from its own zero a sliding side has the stiffness of t
     CHECK(own.displacement.back() == near(3.25));
     CHECK(*secant_stiffness({own.displacement, own.force}) == near(4.0));
     CHECK(*secant_stiffness({left.displacement, left.force}) > 4.1);
+}
+
+TEST_CASE("cyclic curve: a wall that is held at rest has one elastic stiffness",
+          "[fragility][cyclic]")
+{
+    // force 24 x - 3 within 1 of zero displacement: it acts with the push to the right at rest
+    const auto force = [](double x) { return std::clamp(24.0 * x - 3.0, -27.0, 21.0); };
+    const double amplitude = GENERATE(0.1, 0.5); // before and behind where the force is zero
+    OwnedPath path;
+    for (const double turn : {amplitude, -amplitude, 2.0, -2.0, 0.0}) {
+        const double from = path.displacement.empty() ? 0.0 : path.displacement.back();
+        for (int i = path.displacement.empty() ? 0 : 1; i <= 40; ++i) {
+            path.displacement.push_back(from + (turn - from) * i / 40.0);
+            path.force.push_back(force(path.displacement.back()));
+        }
+    }
+    for (const int direction : {1, -1}) {
+        const fragility::FirstLoading first = first_loading(path, direction, 0.4);
+        CHECK(first.residual == near(-direction * 3.0 / 24.0));
+        CHECK(first.force == near(0.0));
+        CHECK(first.turn == near(amplitude));
+        CHECK(first.reach == near(2.0));
+        const Backbone side = backbone(path, direction);
+        const fragility::Curve curve{side.displacement, side.force};
+        const Backbone own = from_own_zero(curve, first.residual);
+        const double share = share_within(curve, first.turn, 0.3);
+        CHECK(*secant_stiffness({own.displacement, own.force}, share) == near(24.0));
+        CHECK(residual_at_rest(curve) == 0.0); // begins at the origin, as backbones do
+    }
+    const std::vector<double> x = {0.0, 0.1, 0.2, 1.0}, up = {3.0, 5.4, 7.8, 27.0},
+                              down = {-3.0, -0.6, 1.8, 21.0};
+    CHECK(residual_at_rest({x, up}) == near(0.125));
+    CHECK(residual_at_rest({x, down}) == near(-0.125));
 }
 
 TEST_CASE("cyclic curve: the worse of two displacements is the one that surely comes first",
