@@ -64,8 +64,8 @@ struct PushResult {
     /// As PushPlan::snapshot_every asks, in the order of the push; the first is before the
     /// push. Empty where PushPlan::sink takes them.
     std::vector<Snapshot> snapshots;
-    Snapshot at_peak; ///< at the curve point with the largest force
-    Snapshot faces_at_peak; ///< faces alone, at that point
+    Snapshot at_peak;                ///< at the curve point with the largest force
+    Snapshot faces_at_peak;          ///< faces alone, at that point
     std::optional<Snapshot> at_drop; ///< where the force first came down to PushPlan::drop
     /// Snapshot of a push for which PushPlan::drop was asked, and whose force had not come down
     /// to it: between 0.45 and 0.5 of the way to the end.

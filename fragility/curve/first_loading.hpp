@@ -10,7 +10,7 @@ struct FirstLoading {
     /// From where the force is zero to zero displacement [length]; negative where the force of
     /// the wall at rest acts with the push.
     double residual = 0.0;
-    /// What the way to the other side has left at zero displacement: the force there in that
+    /// Left at zero displacement by the way to the other side: the force there in that
     /// direction, less that of the wall at rest [force], >= 0.
     double force = 0.0;
     /// Farthest displacement before the wall first comes from the other side with more of that

@@ -93,8 +93,8 @@ class Recorder {
     /// Forces where the last interval ended, along the line through the means of its last two
     /// parts: the curve may bend within the interval, where a line through two points leaves
     /// it. Each part is as long as an interval after a turn and has kSteps steps or more, or
-    /// kFewSteps where the interval has fewer than two of those; nothing where it has fewer than
-    /// two of these.
+    /// kFewSteps where the interval has fewer than two of those; nothing where it has fewer
+    /// than two of these.
     [[nodiscard]] std::optional<Forces> at_end() const { return end_; }
 
     /// Intervals between points that the last point is a mean of.
