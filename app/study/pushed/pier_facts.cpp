@@ -24,18 +24,29 @@ double slenderness_of(const dem::Pier& p, const dem::CutForce& f, double most)
 class Instants {
   public:
     explicit Instants(const PierHistory& history) : history_(history) {}
-    /// Points are asked for in their order.
-    const PierInstant& at(const dem::CurvePoint& point)
+    /// Shear of a pier [N]; between two instants, as the first points of a push are, along the
+    /// line through theirs. Points are asked for in their order.
+    double shear_at(const dem::CurvePoint& point, std::size_t pier)
     {
         for (std::size_t k = next_; k < std::min(next_ + kAhead, history_.size()); ++k)
             if (history_[k].force == point.force) {
                 next_ = k;
-                break;
+                return shear(k, pier);
             }
-        return history_[next_];
+        if (next_ + 1 == history_.size()) return shear(next_, pier);
+        const double from = history_[next_].displacement,
+                     to = history_[next_ + 1].displacement;
+        const double share =
+            to == from ? 0.0 : std::clamp((point.displacement - from) / (to - from), 0.0, 1.0);
+        return (1.0 - share) * shear(next_, pier) + share * shear(next_ + 1, pier);
     }
 
   private:
+    double shear(std::size_t k, std::size_t pier) const
+    {
+        return history_[k].piers[pier].force.shear;
+    }
+
     static constexpr std::size_t kAhead = 3;
     const PierHistory& history_;
     std::size_t next_ = 0;
@@ -71,7 +82,7 @@ PierFacts facts_of(const LoadInput& load, double drop, const dem::PierProbe& pro
     Instants instants(history);
     for (const dem::CurvePoint& p : wall.result.curve) {
         f.movement.push_back(single(way * movement_at(history, i, way * p.displacement, way)));
-        f.shear.push_back(single(way * instants.at(p).piers[i].force.shear));
+        f.shear.push_back(single(way * instants.shear_at(p, i)));
     }
     const dem::PierState* strongest = &calm.front().piers[i];
     for (const PierInstant& now : calm)
