@@ -5,7 +5,10 @@
 #include "fragility/laws/standard_law.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -43,11 +46,11 @@ std::vector<Node> rule_on(double lower, double upper, std::size_t panels)
     return rule_between(edges);
 }
 
-/// Nodes of a scale on (0, infinity), as scale = unit u / (1 - u); weights hold the prior.
+/// Nodes of the scatter r = sqrt(tau^2 + s^2) on (0, infinity), as u of r = unit u / (1 - u).
 /// Tests that agree leave a unit far below the prior's scale, up to which the error of their
-/// level is not known: panels are added, each twice as long in the scale as the one before,
-/// until they pass the prior's scale.
-std::vector<Node> scale_rule(double unit, std::size_t panels, const ScalePrior& prior)
+/// level is not known: panels are added, each twice as long in r as the one before, until they
+/// pass the prior's scale.
+std::vector<Node> scatter_rule(double unit, std::size_t panels, const ScalePrior& prior)
 {
     std::vector<double> edges;
     for (std::size_t p = 0; p < panels; ++p)
@@ -56,39 +59,74 @@ std::vector<Node> scale_rule(double unit, std::size_t panels, const ScalePrior& 
          left *= 0.5)
         edges.push_back(1.0 - left);
     edges.push_back(1.0);
-    std::vector<Node> nodes = rule_between(edges);
-    for (Node& n : nodes) {
-        const double u = n.at;
-        n.at = unit * u / (1.0 - u);
-        n.weight *= unit / ((1.0 - u) * (1.0 - u));
-        if (prior.half_t > 0.0)
-            n.weight *= std::pow(1.0 + 0.25 * std::pow(n.at / prior.half_t, 2), -2.5);
-    }
-    return nodes;
+    return rule_between(edges);
 }
 
-/// A level under given tau and s: what its values say of mu.
+/// Shares of tau and of s in r.
+struct Shares {
+    double tau, s, weight;
+};
+
+/// Nodes of the angle between both, close where one of them is small. A known error leaves tau
+/// alone.
+std::vector<Shares> share_rule(bool known_error)
+{
+    if (known_error) return {{1.0, 0.0, 1.0}};
+    constexpr double kQuarter = 0.5 * std::numbers::pi;
+    std::vector<Shares> shares;
+    for (const Node& n : rule_between({0.0, 0.03, 0.1, 0.3, 0.7, 0.9, 0.97, 1.0})) {
+        const double root = std::sin(kQuarter * n.at), angle = kQuarter * root * root;
+        shares.push_back({std::sin(angle), std::cos(angle),
+                          n.weight * kQuarter * kQuarter * std::sin(2.0 * kQuarter * n.at)});
+    }
+    return shares;
+}
+
+double prior_density(double scale, const ScalePrior& prior)
+{
+    return prior.half_t > 0.0 ? std::pow(1.0 + 0.25 * std::pow(scale / prior.half_t, 2), -2.5)
+                              : 1.0;
+}
+
+/// A level under given tau and s: what its values say of mu. They are counted from their mean,
+/// lest squares of far values leave no digit of what they differ by.
 struct Level {
+    double centre = 0.0;
     core::LevelSums seen;
     std::vector<std::pair<double, double>> bounds; ///< censored: y, s
 };
 
 double error_of(const LevelledValue& v, double s) { return v.error > 0.0 ? v.error : s; }
 
-std::vector<Level> levels_of(std::span<const LevelledValue> data, std::size_t n, double s)
+/// Mean of the values seen of each level; 0 without any.
+std::vector<double> centres_of(std::span<const LevelledValue> data, std::size_t n)
 {
-    std::vector<Level> levels(n);
+    std::vector<double> sum(n, 0.0), seen(n, 0.0);
+    for (const LevelledValue& v : data) {
+        if (v.at_least) continue;
+        sum[v.level] += v.value;
+        seen[v.level] += 1.0;
+    }
+    for (std::size_t i = 0; i < n; ++i) sum[i] /= std::max(1.0, seen[i]);
+    return sum;
+}
+
+std::vector<Level> levels_of(std::span<const LevelledValue> data,
+                             const std::vector<double>& centres, double s)
+{
+    std::vector<Level> levels;
+    for (const double centre : centres) levels.push_back({centre, {}, {}});
     for (const LevelledValue& v : data) {
         Level& l = levels[v.level];
-        const double error = error_of(v, s);
+        const double error = error_of(v, s), value = v.value - l.centre;
         if (v.at_least) {
-            l.bounds.emplace_back(v.value, error);
+            l.bounds.emplace_back(value, error);
             continue;
         }
         const double w = 1.0 / (error * error);
         l.seen.precision += w;
-        l.seen.sum += w * v.value;
-        l.seen.squares += w * v.value * v.value;
+        l.seen.sum += w * value;
+        l.seen.squares += w * value * value;
         l.seen.log_scale += std::log(error);
     }
     return levels;
@@ -99,14 +137,18 @@ struct LevelTerm {
     double log_likelihood, mean;
 };
 
-LevelTerm level_term(const Level& l, double mu, double tau)
+LevelTerm level_term(const Level& l, double common, double tau)
 {
+    const double mu = common - l.centre;
     // d has precision 1 / tau^2; with the values seen x = mu + d is normal (mean, variance)
     const core::LevelNormal x = core::level_normal(l.seen, mu, tau * tau);
+    const double precision = l.seen.precision,
+                 mean = precision > 0.0 ? l.seen.sum / precision : 0.0;
+    // within the level, and of its mean about mu
     const double misfit =
-        l.seen.squares - 2.0 * mu * l.seen.sum + mu * mu * l.seen.precision -
-        x.variance * std::pow(l.seen.sum - mu * l.seen.precision, 2); // of the values about mu
-    LevelTerm term{-l.seen.log_scale - 0.5 * std::log(x.shrink) - 0.5 * misfit, x.mean};
+        l.seen.squares - mean * l.seen.sum + std::pow(mean - mu, 2) * precision / x.shrink;
+    LevelTerm term{-l.seen.log_scale - 0.5 * std::log(x.shrink) - 0.5 * misfit,
+                   l.centre + x.mean};
     if (l.bounds.empty()) return term;
     static const std::vector<Node> kRule = rule_on(-7.0, 7.0, 2);
     double total = 0.0, moment = 0.0;
@@ -118,8 +160,8 @@ LevelTerm level_term(const Level& l, double mu, double tau)
         total += p;
         moment += p * at;
     }
-    if (!(total > 0.0)) return {-core::kInfinity, x.mean};
-    return {term.log_likelihood + std::log(total), moment / total};
+    if (!(total > 0.0)) return {-core::kInfinity, term.mean};
+    return {term.log_likelihood + std::log(total), l.centre + moment / total};
 }
 
 /// Where mu lies for given tau and s: a bound pulls it up, but less than a value at the larger
@@ -211,23 +253,58 @@ template <class Rising> double inverse(Rising rising, double lower, double upper
     return 0.5 * (lower + upper);
 }
 
-/// Quantile of weighted values, linear between the middles of their weights.
-double weighted_quantile(std::vector<std::pair<double, double>> values, double p)
+constexpr std::size_t kNodes = 2 * core::kGauss16.node.size(); // of a panel
+
+constexpr double kNothing = 1e-18; // a million such points change no printed digit
+
+/// P_k(x) for k = 0 to n - 1, of Legendre.
+std::vector<double> legendre(double x, std::size_t n)
 {
-    std::ranges::sort(values);
-    double below = 0.0, last_x = 0.0, last_p = 0.0;
-    std::size_t i = 0;
-    while (i < values.size()) {
-        const double x = values[i].first;
-        double weight = 0.0;
-        for (; i < values.size() && values[i].first == x; ++i) weight += values[i].second;
-        const double here = below + 0.5 * weight;
-        if (here >= p) return last_x + (x - last_x) * (p - last_p) / (here - last_p);
-        below += weight;
-        last_x = x;
-        last_p = here;
+    std::vector<double> p = {1.0, x};
+    for (std::size_t k = 1; k + 1 < n; ++k) {
+        const double degree = static_cast<double>(k);
+        p.push_back(((2.0 * degree + 1.0) * x * p[k] - degree * p[k - 1]) / (degree + 1.0));
     }
-    return last_x;
+    return p;
+}
+
+/// Of the weights of a panel, the part that lies below x in [-1, 1]: the integral of the
+/// polynomial through the densities at its nodes.
+double part_below(std::span<const double, kNodes> weights, double x)
+{
+    static const auto kAtNodes = [] {
+        std::array<std::vector<double>, kNodes> all;
+        const std::vector<Node> nodes = rule_on(-1.0, 1.0, 1);
+        for (std::size_t i = 0; i < kNodes; ++i) all[i] = legendre(nodes[i].at, kNodes);
+        return all;
+    }();
+    const std::vector<double> at_x = legendre(x, kNodes + 1);
+    double part = 0.0;
+    for (std::size_t k = 0; k < kNodes; ++k) {
+        double moment = 0.0;
+        for (std::size_t i = 0; i < kNodes; ++i) moment += weights[i] * kAtNodes[i][k];
+        part += 0.5 * moment * (at_x[k + 1] - (k == 0 ? -1.0 : at_x[k - 1]));
+    }
+    return part;
+}
+
+/// Share of the weights below y, of nodes that come panel by panel.
+/// @param at position of node k;  weight its weight;  n number of nodes
+template <class At, class Weight>
+double share_below(double y, std::size_t n, At at, Weight weight)
+{
+    const double end = rule_on(-1.0, 1.0, 1).back().at; // the last node of a panel
+    double below = 0.0;
+    for (std::size_t first = 0; first < n; first += kNodes) {
+        const double middle = 0.5 * (at(first) + at(first + kNodes - 1)),
+                     half = (at(first + kNodes - 1) - middle) / end, x = (y - middle) / half;
+        if (x <= -1.0) continue;
+        std::array<double, kNodes> weights;
+        double all = 0.0;
+        for (std::size_t i = 0; i < kNodes; ++i) all += weights[i] = weight(first + i);
+        below += x >= 1.0 || all < kNothing ? all : part_below(weights, x);
+    }
+    return below;
 }
 
 } // namespace
@@ -238,26 +315,31 @@ HierarchicalPosterior hierarchical_posterior(std::span<const LevelledValue> data
     const std::size_t n = check(data, prior);
     const bool known = data.front().error > 0.0;
     const double unit = spread(data);
-    const std::vector<Node> taus = scale_rule(unit, known ? 16 : 2, prior);
-    const std::vector<Node> errors =
-        known ? std::vector<Node>{{0.0, 1.0}} : scale_rule(unit, 2, prior);
+    const std::vector<double> centres = centres_of(data, n);
+    const std::vector<Node> radii = scatter_rule(unit, known ? 16 : 2, prior);
+    const std::vector<Shares> shares = share_rule(known);
     HierarchicalPosterior posterior;
+    posterior.unit = unit;
     posterior.level_means.assign(n, 0.0);
     std::vector<double> log_weights, means;
-    for (const Node& s : errors) {
-        const std::vector<Level> levels = levels_of(data, n, s.at);
-        for (const Node& tau : taus) {
-            const auto [lower, upper] = mu_range(data, n, tau.at, s.at);
+    for (const Node& u : radii) {
+        const double r = unit * u.at / (1.0 - u.at),
+                     stretch = u.weight * unit / ((1.0 - u.at) * (1.0 - u.at));
+        for (const Shares& share : shares) {
+            const double tau = r * share.tau, s = r * share.s;
+            const double scales = stretch * share.weight * (known ? 1.0 : r) *
+                                  prior_density(tau, prior) * prior_density(s, prior);
+            const std::vector<Level> levels = levels_of(data, centres, s);
+            const auto [lower, upper] = mu_range(data, n, tau, s);
             for (const Node& mu : rule_on(lower, upper, 3)) {
-                double log_weight =
-                    std::log(s.weight) + std::log(tau.weight) + std::log(mu.weight);
+                double log_weight = std::log(scales) + std::log(mu.weight);
                 for (const Level& l : levels) {
-                    const LevelTerm term = level_term(l, mu.at, tau.at);
+                    const LevelTerm term = level_term(l, mu.at, tau);
                     log_weight += term.log_likelihood;
                     means.push_back(term.mean);
                 }
                 log_weights.push_back(log_weight);
-                posterior.points.push_back({0.0, mu.at, tau.at, s.at});
+                posterior.points.push_back({0.0, mu.at, tau, s});
             }
         }
     }
@@ -270,37 +352,46 @@ HierarchicalPosterior hierarchical_posterior(std::span<const LevelledValue> data
         for (std::size_t i = 0; i < n; ++i)
             posterior.level_means[i] += posterior.points[k].weight * means[k * n + i];
     }
+    const std::size_t each = posterior.points.size() / radii.size();
+    for (std::size_t k = 0; k < posterior.points.size(); ++k) {
+        if (k % each == 0) posterior.scatters.push_back({radii[k / each].at, 0.0});
+        posterior.scatters.back().weight += posterior.points[k].weight;
+    }
     add_moments(posterior);
     return posterior;
 }
 
 double mu_quantile(const HierarchicalPosterior& posterior, double p)
 {
-    std::vector<std::pair<double, double>> values;
-    for (const auto& point : posterior.points) values.emplace_back(point.mu, point.weight);
-    return weighted_quantile(std::move(values), p);
-}
-
-double tau_quantile(const HierarchicalPosterior& posterior, double p)
-{
-    std::vector<std::pair<double, double>> values;
-    for (const auto& point : posterior.points) values.emplace_back(point.tau, point.weight);
-    return weighted_quantile(std::move(values), p);
+    const auto& points = posterior.points;
+    const auto [least, most] =
+        std::ranges::minmax(points, {}, &HierarchicalPosterior::Point::mu);
+    return inverse(
+        [&](double mu) {
+            return share_below(
+                mu, points.size(), [&](std::size_t k) { return points[k].mu; },
+                [&](std::size_t k) { return points[k].weight; });
+        },
+        least.mu, most.mu, p);
 }
 
 double scatter_quantile(const HierarchicalPosterior& posterior, double p)
 {
-    std::vector<std::pair<double, double>> values;
-    for (const auto& point : posterior.points)
-        values.emplace_back(std::hypot(point.tau, point.s), point.weight);
-    return weighted_quantile(std::move(values), p);
+    const auto& nodes = posterior.scatters;
+    const double u = inverse(
+        [&](double at) {
+            return share_below(
+                at, nodes.size(), [&](std::size_t k) { return nodes[k].at; },
+                [&](std::size_t k) { return nodes[k].weight; });
+        },
+        0.0, 1.0, p);
+    return posterior.unit * u / (1.0 - u);
 }
 
 core::Interval predictive_interval(const HierarchicalPosterior& posterior, double confidence)
 {
     if (!(confidence > 0.0 && confidence < 1.0))
         throw std::invalid_argument("predictive interval: a confidence not in (0, 1)");
-    constexpr double kNothing = 1e-18; // a million such points change no printed digit
     std::vector<HierarchicalPosterior::Point> points;
     for (const auto& point : posterior.points)
         if (point.weight > kNothing) points.push_back(point);

@@ -32,7 +32,14 @@ struct HierarchicalPosterior {
     struct Point {
         double weight, mu, tau, s;
     };
-    std::vector<Point> points;
+    std::vector<Point> points; ///< panels of 16, along each of which mu rises
+    /// Of the scatter r = sqrt(tau^2 + s^2), in the same panels.
+    struct Scatter {
+        double at; ///< u of r = unit u / (1 - u)
+        double weight;
+    };
+    std::vector<Scatter> scatters;
+    double unit = 0.0;
     std::vector<double> level_means; ///< posterior means of mu + d_i
     double mu = 0.0, mu_error = 0.0; ///< mean and standard deviation
     double tau = 0.0, tau_error = 0.0;
@@ -47,10 +54,9 @@ struct HierarchicalPosterior {
 [[nodiscard]] HierarchicalPosterior hierarchical_posterior(std::span<const LevelledValue> data,
                                                            const ScalePrior& prior);
 
-/// Quantile of mu, of tau, or of the scatter sqrt(tau^2 + s^2).
+/// Quantile of mu, or of the scatter sqrt(tau^2 + s^2), as exact as the quadrature.
 /// @param p in (0, 1)
 [[nodiscard]] double mu_quantile(const HierarchicalPosterior& posterior, double p);
-[[nodiscard]] double tau_quantile(const HierarchicalPosterior& posterior, double p);
 [[nodiscard]] double scatter_quantile(const HierarchicalPosterior& posterior, double p);
 
 /// Interval of y of one further wall of a further level.
