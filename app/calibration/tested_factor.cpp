@@ -98,7 +98,7 @@ std::vector<TestedWall> tests_over_walls(const Csv& csv, const std::vector<Measu
         const auto level = std::ranges::find_if(
             walls.levels, [&](const StudyLevel& l) { return same_stress(t.stress, l.stress); });
         const auto median = median_of(*level, answer, walls.study.fragility.confidence);
-        over.push_back({t.name, t.stress, *measured, median.value_or(0.0),
+        over.push_back({t.name, level->stress, *measured, median.value_or(0.0),
                         answer == Answer::drift && t.censored});
     }
     return over;

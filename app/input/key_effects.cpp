@@ -29,6 +29,7 @@ bool is_default(const Key& key, const Study& study)
     Study without;
     if (is_used(key, study) && (apply != nullptr || follow != nullptr)) {
         without = study;
+        key.field.set(without, key.field.get(Study{})); // the rule may leave it as it is
         if (apply != nullptr) apply(without);
         if (follow != nullptr) follow(without.parameters, study.wall.course_height);
     }

@@ -48,6 +48,29 @@ double work_to_zero(const Path& p, std::size_t from, double share)
     return -0.5 * (p.force[from] + at_zero) * p.displacement[from];
 }
 
+/// Whether the path goes out again on its way back on one side.
+bool has_inner_loop(const Path& p, std::size_t begin, std::size_t end, double width)
+{
+    constexpr double kJitter = 0.02; // of the width: of sensors and of valves; a free choice
+    double nearest = std::abs(p.displacement[begin]), farthest = nearest;
+    bool comes_back = false;
+    for (std::size_t i = begin + 1; i <= end; ++i) {
+        const double x = std::abs(p.displacement[i]);
+        if (p.displacement[i] * p.displacement[i - 1] <= 0.0) { // a new side
+            comes_back = false;
+            nearest = farthest = x;
+        }
+        farthest = std::max(farthest, x);
+        if (farthest - x > kJitter * width && !comes_back) {
+            comes_back = true;
+            nearest = x;
+        }
+        nearest = std::min(nearest, x);
+        if (comes_back && x - nearest > kJitter * width) return true;
+    }
+    return false;
+}
+
 Cycle cycle_between(const Path& p, std::size_t begin, std::size_t end, bool closed)
 {
     Cycle c;
@@ -78,6 +101,7 @@ Cycle cycle_between(const Path& p, std::size_t begin, std::size_t end, bool clos
         c.force_at_minus = p.force[minus];
         c.residual_minus = zero_force(p, minus, end);
     }
+    c.inner_loop = has_inner_loop(p, begin, end, c.displacement_plus - c.displacement_minus);
     return c;
 }
 
@@ -151,7 +175,7 @@ double amplitude(const Cycle& c)
 
 std::optional<double> equivalent_damping(const Cycle& c)
 {
-    if (!c.closed) return std::nullopt; // half a loop is no loop
+    if (!c.closed || c.inner_loop) return std::nullopt; // half a loop, or several
     const double fd =
         c.force_at_plus * c.displacement_plus + c.force_at_minus * c.displacement_minus;
     if (!(fd > 0.0)) return std::nullopt;

@@ -29,6 +29,8 @@ struct Cycle {
     /// passes zero displacement [-]; 0: it is there, or does not pass.
     double begin_share = 0.0, end_share = 0.0;
     bool closed = false; ///< the path came back to zero displacement, to 0.5 % of its width
+    /// On one side the path came back and went out again, by more than 2 % of its width each.
+    bool inner_loop = false;
     double displacement_plus = 0.0,
            displacement_minus = 0.0;            ///< extremes, >= 0 and <= 0 [length]
     double force_plus = 0.0, force_minus = 0.0; ///< largest and smallest force, >= 0 and <= 0
@@ -49,7 +51,8 @@ struct Cycle {
 
 /// Equivalent viscous damping: energy / (2 pi F d), with F d the mean of both sides (Jacobsen;
 /// Priestley, Calvi and Kowalsky 2007, Eq. 3.15). A cycle of one side counts as half a
-/// symmetric one. Nothing where the cycle is not closed, or F d is not positive.
+/// symmetric one. Nothing where the cycle is not closed, has an inner loop, whose energy is of
+/// another amplitude, or F d is not positive.
 [[nodiscard]] std::optional<double> equivalent_damping(const Cycle& cycle);
 
 /// Slope of the line between both extremes [force / length]; nothing where the cycle has no

@@ -111,9 +111,28 @@ std::string worse_way_name(int direction, const PushedWall& wall, std::size_t st
     return way_name(&worse_push(wall, state) == &wall ? direction : -direction);
 }
 
+namespace {
+
+/// Of a push to and fro.
+std::string two_sides_remark(const PushedWall& wall)
+{
+    const auto& sides = wall.reading.backbones;
+    if (sides.empty()) return "";
+    const WallReading& right = sides.at(static_cast<std::size_t>(fragility::Side::right));
+    const WallReading& left = sides.at(static_cast<std::size_t>(fragility::Side::left));
+    if (!right.peak || !left.peak) return "";
+    return "the wall is not symmetric: to the right it carries " + kilonewtons(right) +
+           ", to the left " + compared(left, right) +
+           "; fragility.backbone says which of both the other numbers are of";
+}
+
+} // namespace
+
 std::string other_way_remark(const LoadInput& load, const StudyFile& source,
                              const dem::Layout& layout, const PushedWall& wall)
 {
+    if (push_way(load).direction == 0 && !dem::is_symmetric(layout))
+        return two_sides_remark(wall);
     if (!has_other_way(load, layout)) return "";
     const int direction = push_way(load).direction;
     const std::string first = way_name(direction), other = way_name(-direction);

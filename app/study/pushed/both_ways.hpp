@@ -54,8 +54,8 @@ void refuse_cracks_of_one_way(const StudyFile& source);
 /// Whether cracks were placed for one direction.
 [[nodiscard]] bool has_cracks_of_one_way(const StudyFile& source);
 
-/// Says what a wall carries each way, or how to find out, without a full stop. Empty where
-/// there is no other way.
+/// Says what a wall that is not symmetric carries each way, or how to find out, without a full
+/// stop. Empty for any other wall.
 [[nodiscard]] std::string other_way_remark(const LoadInput& load, const StudyFile& source,
                                            const dem::Layout& layout, const PushedWall& wall);
 

@@ -122,6 +122,13 @@ TEST_CASE("hand checks: a wall that is not symmetric has both peaks, or how to f
                Catch::Contains("to the right it carries 100.0 kN, to the left "
                                "61.0 kN (39 % less)"));
     CHECK_THAT(remarks(w, {door[0], "load.targets=5, -5 mm"}), !Catch::Contains("symmetric"));
+    w.reading.backbones.assign(4, w.reading);
+    w.reading.backbones[3].peak->force = 61e3;
+    CHECK_THAT(
+        remarks(w, {door[0], "load.targets=5, -5 mm"}),
+        Catch::Contains("to the right it carries 100.0 kN, to the left 61.0 kN (39 % less); "
+                        "fragility.backbone"));
+    CHECK_THAT(remarks(w, {"load.targets=5, -5 mm"}), !Catch::Contains("symmetric"));
     const app::Study left = study_texts::read_good({door[0], "load.targets=-20 mm"});
     CHECK(app::push_plan(app::turned_round(left)).targets == std::vector{0.02});
 }

@@ -354,6 +354,12 @@ TEST_CASE("key effects: a default that is written out is not remarked on", "[app
     CHECK(app::effect_notes(read(kLeast, {defaults}), kPush).empty());
     CHECK(app::effect_notes(read(kLeast, {other}), kPush).find("joint.wear_length") !=
           std::string::npos);
+    // One that only a push one way replaces is news where the push goes to and fro.
+    const std::string cycles = "load.amplitudes=1 mm", far = "load.max_displacement=8 mm";
+    CHECK(app::effect_notes(read(kLeast, {cycles, far}), kPush).find("load.max_displacement") !=
+          std::string::npos);
+    CHECK(app::effect_notes(read(kLeast, {cycles, "load.max_displacement=30 mm"}), kPush)
+              .empty());
     // A default that follows from another value, here joint.friction_angle, is no news either.
     const std::string key = "joint.residual_friction_angle";
     CHECK(app::effect_notes(read(kLeast, {key + "=30 deg"}), kPush).empty());

@@ -68,6 +68,20 @@ TEST_CASE("cyclic curve: the loop of a sliding joint has its exact energy and da
     CHECK(c[1].closed);
 }
 
+TEST_CASE("cyclic curve: a cycle that goes out again on one side has no damping",
+          "[fragility][cyclic]")
+{
+    const double k = 8.0, s = 2.0;
+    const auto c = cycles(sliding(k, s, {5.0, 1.0, 5.0, 1.0, 0.0, 5.0, 0.0}));
+    REQUIRE(c.size() == 2);
+    CHECK(c[0].closed);
+    CHECK(c[0].inner_loop);
+    CHECK_FALSE(equivalent_damping(c[0])); // 4 s (5 - 1 - s / k) twice, over pi s 5
+    CHECK(equivalent_damping(c[1]).has_value());
+    // a sensor's jitter, and a small unloading on the way out, are no loop
+    CHECK_FALSE(cycles(sliding(k, s, {3.0, 2.95, 5.0, 4.95, 5.0, 0.0}))[0].inner_loop);
+}
+
 TEST_CASE("cyclic curve: a cycle ends at zero displacement, whether or not a point lies there",
           "[fragility][cyclic]")
 {
