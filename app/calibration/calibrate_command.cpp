@@ -170,7 +170,11 @@ int calibrate_command(const Command& command)
     const bool taught = !study.calibration.inputs.empty();
     const CalibratedInputs inputs =
         taught ? calibrated_inputs(study.calibration, study, study.source) : CalibratedInputs{};
-    if (!command.quiet) std::cerr << test_notes(csv, study.load.height, taught);
+    const std::string out_of_reach =
+        taught ? protocol_notes(csv, test_readings(csv, study.load.height), tests,
+                                push_plan(study).targets)
+               : "";
+    if (!command.quiet) std::cerr << test_notes(csv, study.load.height, taught) << out_of_reach;
     check_place(command, taught);
     catch_interrupts();
     Progress progress(std::cerr, stderr_progress(command.quiet), steady_seconds);

@@ -49,12 +49,6 @@ LevelAnswer answer_of(const StudyLevel& level, const StudyWalls& walls,
     return a;
 }
 
-bool is_measured(const std::vector<MeasuredTest>& tests, const TestedQuantity& quantity)
-{
-    return std::ranges::any_of(
-        tests, [&](const MeasuredTest& t) { return measured(quantity, t).has_value(); });
-}
-
 /// Why an answer cannot be used; empty if it can.
 std::string trouble(const LevelAnswer& a, const TestedQuantity& quantity, double stress,
                     int least)
@@ -125,7 +119,7 @@ CalibrationData calibration_data(const StudyFile& source, const CalibratedInputs
 {
     CalibrationData data;
     for (const TestedQuantity& q : quantities) {
-        if (!is_measured(tests, q)) continue;
+        if (!is_tested(tests, q)) continue;
         const std::size_t before = data.answers.size();
         for (std::size_t l = 0; l < walls.levels.size(); ++l)
             add_answer(data, q, l, walls, inputs);

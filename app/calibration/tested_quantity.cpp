@@ -1,7 +1,13 @@
 #include "app/calibration/tested_quantity.hpp"
 
+#include "app/text/config_error.hpp"
+#include "app/text/number_text.hpp"
+#include "app/text/words.hpp"
 #include "fragility/curve/cyclic_curve.hpp"
 #include "fragility/curve/resampled_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
 
 namespace app {
 namespace {
@@ -38,6 +44,57 @@ TestedQuantity quantity_of(const TestReading& reading, std::size_t place)
 }
 
 } // namespace
+
+bool is_tested(const std::vector<MeasuredTest>& tests, const TestedQuantity& q)
+{
+    return std::ranges::any_of(
+        tests, [&](const MeasuredTest& t) { return measured(q, t).has_value(); });
+}
+
+namespace {
+
+/// Says why a push cannot show a reading; empty: it may.
+std::string out_of_reach(const TestReading& r, std::size_t closed, double farthest)
+{
+    if (r.cycle > 0 && static_cast<std::size_t>(r.cycle) > closed)
+        return "the study's push makes " + counted(closed, "closed loop", "closed loops") +
+               "; give it the amplitudes of the test, as load.targets";
+    if (r.cycle == 0 && r.displacement > farthest)
+        return "the study's push goes to " + number(farthest * 1e3, 4) +
+               " mm; push farther, with load.max_displacement or load.targets";
+    return "";
+}
+
+} // namespace
+
+std::string protocol_notes(const Csv& csv, const std::vector<TestReading>& readings,
+                           const std::vector<MeasuredTest>& tests,
+                           const std::vector<double>& targets)
+{
+    std::vector<double> path = {0.0};
+    double farthest = 0.0;
+    for (const double to : targets) {
+        if (path.back() * to < 0.0) path.push_back(0.0);
+        path.push_back(to);
+        farthest = std::max(farthest, std::abs(to));
+    }
+    const std::vector<double> any_force(path.size(), 0.0);
+    const auto closed = static_cast<std::size_t>(std::ranges::count(
+        fragility::cycles({path, any_force}), true, &fragility::Cycle::closed));
+    std::string notes;
+    std::optional<ConfigError> refused;
+    bool others = false;
+    for (const TestedQuantity& q : tested_quantities(readings)) {
+        if (!is_tested(tests, q)) continue;
+        const std::string why = q.number != nullptr ? "" : out_of_reach(q.at, closed, farthest);
+        others |= why.empty();
+        if (why.empty()) continue;
+        refused.emplace(csv.path, 1, q.name, why);
+        notes += "note: " + std::string(refused->what()) + "; left out\n";
+    }
+    if (refused && !others) throw ConfigError(*refused);
+    return notes;
+}
 
 std::vector<TestedQuantity> tested_quantities(const std::vector<TestReading>& readings)
 {

@@ -26,6 +26,14 @@ struct TestedQuantity {
     std::string_view factor_key{};
 };
 
+/// Lines "note: tests.csv:1: ..." on what a push cannot show of the tests, before it is made.
+/// @param targets of the push, in order [m]
+/// @throws ConfigError if it can show nothing of them
+[[nodiscard]] std::string protocol_notes(const Csv& csv,
+                                         const std::vector<TestReading>& readings,
+                                         const std::vector<MeasuredTest>& tests,
+                                         const std::vector<double>& targets);
+
 /// Peak, stiffness and drop, then the readings of a table, in the order of its columns.
 [[nodiscard]] std::vector<TestedQuantity>
 tested_quantities(const std::vector<TestReading>& readings);
@@ -38,6 +46,9 @@ struct TestedPath {
     const WallReading& wall;
     std::span<const double> displacement, force;
 };
+
+/// Whether any test has a value of it.
+[[nodiscard]] bool is_tested(const std::vector<MeasuredTest>& tests, const TestedQuantity& q);
 
 /// Shown value; NaN: not defined on this wall.
 [[nodiscard]] double shown(const TestedQuantity& q, const TestedPath& path,

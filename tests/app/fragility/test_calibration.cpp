@@ -376,6 +376,26 @@ TEST_CASE("calibration: columns of the path that cannot be read are refused",
         Catch::Contains("t.csv:2: ") && Catch::Contains("nothing was measured in this row"));
 }
 
+TEST_CASE("calibration: a loop or a force that the push cannot show is told before it",
+          "[app][calibration]")
+{
+    const auto notes = [](const std::string& head, const std::vector<double>& targets) {
+        const app::Csv csv = app::parse_csv("t.csv", "stress [MPa]," + head + "\n0.5,1,1\n");
+        return app::protocol_notes(csv, app::test_readings(csv, 1.1),
+                                   app::measured_tests(csv, 1.1), targets);
+    };
+    const std::vector<double> cycles = {0.002, -0.002, 0.005, -0.005, 0.0};
+    CHECK(notes("energy of cycle 2 [J],force at 5 mm [kN]", cycles).empty());
+    CHECK(
+        notes("energy of cycle 3 [J],peak [kN]", cycles) ==
+        "note: t.csv:1: energy of cycle 3: the study's push makes 2 closed loops; give it the "
+        "amplitudes of the test, as load.targets; left out\n");
+    CHECK_THAT(notes("energy of cycle 2 [J],peak [kN]", {0.002, -0.002, 0.005}),
+               Catch::Contains("makes 1 closed loop;"));
+    CHECK_THROWS_WITH(notes("energy of cycle 1 [J],force at 40 mm [kN]", {0.03}),
+                      Catch::Contains("force at 40 mm: the study's push goes to 30 mm"));
+}
+
 TEST_CASE("calibration: the verb learns from a force at a displacement",
           "[app][calibration][repeats]") // chains are long; one under sanitizers is enough
 {
