@@ -33,7 +33,7 @@ struct HierarchicalPosterior {
         double weight, mu, tau, s;
     };
     std::vector<Point> points; ///< panels of 16, along each of which mu rises
-    /// Of the scatter r = sqrt(tau^2 + s^2), in the same panels.
+    /// A node of the scatter r = sqrt(tau^2 + s^2), in panels of 16.
     struct Scatter {
         double at; ///< u of r = unit u / (1 - u)
         double weight;
