@@ -56,6 +56,12 @@ void add_rectangle(SvgContent& content, const SvgElement& element, const SvgGrou
 {
     const double x = element.length("x"), y = element.length("y");
     const double width = element.length("width"), height = element.length("height");
+    if (width < 0.0 || height < 0.0) {
+        refuse(content.drawing.frame, element.place.line,
+               "the rectangle at (" + number(x, 8) + ", " + number(y, 8) +
+                   ") has a negative width or height, and no program draws it; make it "
+                   "positive or delete it");
+    }
     if (element.length("rx") != 0.0 || element.length("ry") != 0.0) {
         refuse(content.drawing.frame, element.place.line,
                "the rectangle at (" + number(x, 8) + ", " + number(y, 8) +
@@ -182,8 +188,9 @@ std::size_t original_of(const SvgContent& content, const SvgElement& use)
         refused("repeats itself");
     const SvgNode& original = content.nodes.all[found->second];
     const SvgElement element{original.name, original.attributes, use.place};
-    if (original.name == "symbol" && element.find("viewBox") != nullptr)
-        refused("repeats a symbol that has a viewBox, which is not read");
+    for (const char* name : {"viewBox", "refX", "refY"})
+        if (original.name == "symbol" && element.find(name) != nullptr)
+            refused("repeats a symbol that has a " + std::string(name) + ", which is not read");
     return found->second;
 }
 
@@ -250,7 +257,9 @@ void read_within(SvgContent& content, std::size_t begin, std::size_t end)
         }
         begin_group(content, element,
                     group_within(content.groups.back(), content.sheet, element));
-        read_within(content, i + 1, node.end);
+        const auto [first, last] = node.name == "switch" ? drawn_of_switch(content.nodes, i)
+                                                         : std::pair{i + 1, node.end};
+        read_within(content, first, last);
         content.groups.pop_back();
     }
 }

@@ -38,6 +38,19 @@ void refuse_other_moves(const SvgElement& element, const SvgStyle& style)
     }
 }
 
+/// Properties of CSS that make the shape of an element.
+void refuse_shapes(const SvgElement& element, const SvgStyle& style)
+{
+    if (element.name != "rect" && element.name != "path" && element.name != "use") return;
+    for (const char* name : {"x", "y", "width", "height", "rx", "ry", "d"}) {
+        if (!style.contains(name)) continue;
+        refuse(*element.place.frame, element.place.line,
+               "the style has \"" + std::string(name) +
+                   "\", which is not read; write it as an attribute of the " +
+                   std::string(element.name));
+    }
+}
+
 PlaneTransform transform_of(const SvgElement& element, const SvgStyle& style)
 {
     refuse_other_moves(element, style);
@@ -93,6 +106,7 @@ bool is_painted(std::string_view text, bool around)
 SvgGroup group_within(SvgGroup group, const SvgStyleSheet& sheet, const SvgElement& element)
 {
     const SvgStyle style = style_of(sheet, element);
+    refuse_shapes(element, style);
     group.transform = group.transform * transform_of(element, style);
     const auto value = [&](const char* name) -> std::string_view {
         const auto at = style.find(name);

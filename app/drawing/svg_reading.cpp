@@ -1,6 +1,7 @@
 #include "app/drawing/svg_reading.hpp"
 
 #include "app/drawing/outlines/drawing_file.hpp"
+#include "app/text/words.hpp"
 
 #include <expat.h>
 
@@ -32,12 +33,20 @@ struct NodeReading {
     XML_Parser parser = nullptr;
     SvgNodes nodes;
     std::vector<std::size_t> open;
+    std::vector<std::string> prefixes = {"svg:"}; ///< of elements of SVG
     std::exception_ptr error; ///< kept while the parser, which is C, returns
 };
 
 void add_node(NodeReading& reading, std::string_view name, const XML_Char** attributes)
 {
-    if (name.starts_with("svg:")) name.remove_prefix(4);
+    constexpr std::string_view kDeclares = "xmlns:";
+    for (const XML_Char** a = attributes; *a != nullptr; a += 2)
+        if (std::string_view(a[0]).starts_with(kDeclares) &&
+            std::string_view(a[1]) == "http://www.w3.org/2000/svg")
+            reading.prefixes.push_back(a[0] + kDeclares.size() + std::string(":"));
+    const auto prefix = std::ranges::find_if(
+        reading.prefixes, [&](const std::string& p) { return name.starts_with(p); });
+    if (prefix != reading.prefixes.end()) name.remove_prefix(prefix->size());
     SvgNode node{std::string(name), {}, 0, 0};
     node.line = static_cast<int>(XML_GetCurrentLineNumber(reading.parser));
     const std::size_t place = reading.nodes.all.size();
@@ -81,7 +90,8 @@ struct SheetReading {
 void XMLCALL on_sheet_begin(void* data, const XML_Char* name, const XML_Char**)
 {
     const std::string_view element = name;
-    static_cast<SheetReading*>(data)->in_sheet = element == "style" || element == "svg:style";
+    static_cast<SheetReading*>(data)->in_sheet =
+        element == "style" || element.ends_with(":style");
 }
 
 void XMLCALL on_sheet_text(void* data, const XML_Char* text, int length)
@@ -104,10 +114,11 @@ void XMLCALL on_sheet_end(void* data, const XML_Char*)
 std::optional<double> page_length(const char* attribute)
 {
     if (attribute == nullptr) return {};
-    const std::string_view text = without_blanks(attribute);
-    const std::size_t digits = std::min(text.find_first_not_of("0123456789.+-eE"), text.size());
+    const std::string small = lower_case(without_blanks(attribute));
+    const std::string_view text = small;
+    const std::size_t digits = std::min(text.find_first_not_of("0123456789.+-e"), text.size());
     std::size_t end = digits; // "1em" is not 1e
-    while (end > 0 && (text[end - 1] == 'e' || text[end - 1] == 'E')) --end;
+    while (end > 0 && text[end - 1] == 'e') --end;
     constexpr std::array<std::pair<std::string_view, double>, 7> kLengths = {
         {{"mm", 1e-3},
          {"cm", 1e-2},
@@ -115,7 +126,7 @@ std::optional<double> page_length(const char* attribute)
          {"in", 0.0254},
          {"pt", 0.0254 / 72.0},
          {"pc", 0.0254 / 6.0},
-         {"Q", 0.25e-3}}};
+         {"q", 0.25e-3}}};
     const auto known = std::ranges::find_if(
         kLengths, [&](const auto& u) { return u.first == text.substr(end); });
     const std::optional<double> number = read_number(text.substr(0, end));
@@ -147,6 +158,22 @@ SvgNodes svg_nodes(std::string_view bytes)
         reading.nodes.error = XML_ErrorString(XML_GetErrorCode(parser.get()));
     }
     return std::move(reading.nodes);
+}
+
+std::pair<std::size_t, std::size_t> drawn_of_switch(const SvgNodes& nodes, std::size_t at)
+{
+    const std::size_t end = nodes.all[at].end;
+    const auto has_condition = [](const SvgNode& node) {
+        constexpr std::array<std::string_view, 3> kConditions = {
+            "requiredExtensions", "requiredFeatures", "systemLanguage"};
+        for (std::size_t a = 0; a + 1 < node.attributes.size(); a += 2)
+            if (std::ranges::find(kConditions, node.attributes[a]) != kConditions.end())
+                return true;
+        return false;
+    };
+    std::size_t i = at + 1;
+    while (i < end && has_condition(nodes.all[i])) i = nodes.all[i].end;
+    return {i, i < end ? nodes.all[i].end : end};
 }
 
 SvgStyleSheet svg_sheets(const DrawingFrame& frame, std::string_view bytes)

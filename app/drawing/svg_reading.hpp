@@ -9,6 +9,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace app {
@@ -31,6 +32,11 @@ struct SvgNodes {
 
 /// Elements that stand before an error are among them.
 [[nodiscard]] SvgNodes svg_nodes(std::string_view bytes);
+
+/// The one element of a switch that every program draws in every language, the first without a
+/// condition: its place and the one after it; the same twice if there is none.
+[[nodiscard]] std::pair<std::size_t, std::size_t> drawn_of_switch(const SvgNodes& nodes,
+                                                                  std::size_t at);
 
 /// All style sheets of the file, also those that stand behind the shapes.
 /// @throws ConfigError if a rule that may hide or move shapes cannot be read

@@ -268,7 +268,7 @@ std::vector<double> legendre(double x, std::size_t n)
     return p;
 }
 
-/// Of the weights of a panel, the part that lies below x in [-1, 1]: the integral of the
+/// The part of the weights of a panel that lies below x in [-1, 1]: the integral of the
 /// polynomial through the densities at its nodes.
 double part_below(std::span<const double, kNodes> weights, double x)
 {

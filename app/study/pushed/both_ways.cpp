@@ -113,7 +113,7 @@ std::string worse_way_name(int direction, const PushedWall& wall, std::size_t st
 
 namespace {
 
-/// Of a push to and fro.
+/// The remark on a push to and fro.
 std::string two_sides_remark(const PushedWall& wall)
 {
     const auto& sides = wall.reading.backbones;

@@ -38,6 +38,7 @@ TEST_CASE(
     // width and height of the page in units of 1000 x 500, how it fits, size of a unit [mm]
     CHECK(area(of("width='2000mm' height='500mm' " + box)) == Approx(0.5));
     CHECK(area(of("width='1000mm' height='2000mm' " + box)) == Approx(0.5));
+    CHECK(area(of("width='1000MM' height='2E3Mm' " + box)) == Approx(0.5)); // as CSS has it
     CHECK(area(of("width='2000mm' height='500mm' preserveAspectRatio='xMidYMid slice' " +
                   box)) == Approx(2.0));
     CHECK(area(of("height='1m' " + box)) == Approx(2.0));
@@ -188,4 +189,40 @@ TEST_CASE("svg page: a rectangle around all stones is the page or its frame, and
                             "width='1' height='1'/>"),
                        {.unit = 1.0}),
                Catch::Contains("overlaps"));
+}
+
+TEST_CASE("svg page: elements of SVG are known by their namespace, whatever its prefix",
+          "[app][svg_page]")
+{
+    const std::string prefixed =
+        "<s:svg xmlns:s='http://www.w3.org/2000/svg' viewBox='0 0 2 2'>"
+        "<s:style>.no { display: none }</s:style><s:rect width='2' height='1'/>"
+        "<s:rect class='no' y='1' width='2' height='1'/><p:rect/></s:svg>";
+    CHECK(area(drawing_of("w.svg", prefixed, {.unit = 1.0})) == Approx(2.0));
+}
+
+TEST_CASE("svg page: of a switch the first element without a condition is drawn",
+          "[app][svg_page]")
+{
+    const std::string german = "<g systemLanguage='de'>" + kStone + "</g>",
+                      any = "<g>" + kOther + "/></g>", other = "<g>" + kStone + kStone + "</g>";
+    CHECK(area(wall(kStone + "<switch>" + german + any + other + "</switch>")) == Approx(4.0));
+    CHECK(area(wall(kStone + "<switch>" + german + "</switch>")) == Approx(2.0));
+}
+
+TEST_CASE("svg page: shapes that a style makes, or that have no size, are refused",
+          "[app][svg_page]")
+{
+    const auto refused = [](const std::string& body) {
+        return refusal("w.svg", page(kStone + body), {.unit = 1.0});
+    };
+    CHECK_THAT(refused("<rect y='1' width='-2' height='1'/>"),
+               Catch::Contains("the rectangle at (0, 1) has a negative width or height"));
+    CHECK_THAT(refused(kOther + " style='width: 3px'/>"),
+               Catch::Contains("the style has \"width\", which is not read; write it as an "
+                               "attribute of the rect"));
+    CHECK_THAT(refused("<style>path { d: path('M0,0') }</style><path d='M0,0 1,0 1,1z'/>"),
+               Catch::Contains("the style has \"d\""));
+    CHECK_THAT(refused("<symbol id='a' refX='1'>" + kStone + "</symbol><use href='#a'/>"),
+               Catch::Contains("a symbol that has a refX"));
 }
