@@ -34,8 +34,7 @@ class Instants {
                 return shear(k, pier);
             }
         if (next_ + 1 == history_.size()) return shear(next_, pier);
-        const double from = history_[next_].displacement,
-                     to = history_[next_ + 1].displacement;
+        const double from = history_[next_].displacement, to = history_[next_ + 1].displacement;
         const double share =
             to == from ? 0.0 : std::clamp((point.displacement - from) / (to - from), 0.0, 1.0);
         return (1.0 - share) * shear(next_, pier) + share * shear(next_ + 1, pier);

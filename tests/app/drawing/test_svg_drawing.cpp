@@ -189,7 +189,8 @@ TEST_CASE("svg drawing: what is not shown is not built, whichever way it is hidd
         CHECK(group.blocks.size() == 1);
         CHECK(scenes::notes(group, "1 hidden layer (infill) with 2 shapes was ignored"));
     }
-    const std::string sheet = "<style>/* .a */ .b, .st1 { display: none; } rect{cursor:move}</style>";
+    const std::string sheet =
+        "<style>/* .a */ .b, .st1 { display: none; } rect{cursor:move}</style>";
     CHECK(svg("<defs>" + sheet + "</defs>" + other + " class='a st1'/>").blocks.size() == 1);
     CHECK(svg(sheet + other + " class='a'/>").blocks.size() == 2);
     CHECK(svg(sheet + other + " class='b' style='display:inline'/>").blocks.size() == 2);
