@@ -64,6 +64,16 @@ void say(const FoundStones& found, const std::filesystem::path& folder)
               << "\n  picture_width = ? m\n  picture_height = ? m\n";
 }
 
+/// A free choice: in smaller pictures of known walls joints are lost and stones are joined.
+std::string small_note(const Picture& picture)
+{
+    constexpr int kSmall = 300; // [pixels]
+    if (std::max(picture.columns, picture.rows) >= kSmall) return "";
+    return "note: the photograph has only " + std::to_string(picture.columns) + " x " +
+           std::to_string(picture.rows) +
+           " pixels, in which joints are lost and stones joined; take one of 700 or more\n";
+}
+
 } // namespace
 
 int stones_command(const Command& command)
@@ -75,7 +85,9 @@ int stones_command(const Command& command)
         std::cerr << note;
     DrawingFrame frame;
     frame.file = command.words.front();
-    const FoundStones found = find_photographed(frame, read_photograph(frame), method);
+    const Picture picture = read_photograph(frame);
+    if (!command.quiet) std::cerr << small_note(picture);
+    const FoundStones found = find_photographed(frame, picture, method);
     write_results(command.out,
                   {{"stones.png", png_of(painted_picture(found.labels))},
                    {"found.png", png_of(found_picture(found))}},
