@@ -201,6 +201,7 @@ Shape shape_of(const Stones& stones, const Stoneness& map)
         }
     double hulls = 0.0, areas = 0.0, most = 0.0;
     for (int l = 1; l <= stones.count; ++l) {
+        if (points[l].empty()) continue; // none of its pixels is left
         Outline hull;
         cv::convexHull(points[l], hull);
         // through the centres of pixels: half a pixel more all around

@@ -227,6 +227,22 @@ TEST_CASE("photograph: pictures without stones are refused with what to do",
     CHECK(why.find("--method threshold, kmeans or watershed") != std::string::npos);
 }
 
+TEST_CASE("photograph: a small flat picture loses no method to a piece without pixels",
+          "[app][photograph]")
+{
+    app::Picture picture{200, 150, std::vector<std::uint8_t>(4 * 200 * 150, 255)};
+    const auto grey = [](int x, int z) {
+        const bool upper = z >= 10 && z <= 60 && x >= 10 && x <= 190 && (x <= 90 || x >= 100),
+                   lower = z >= 70 && z <= 140 && x >= 10 && x <= 190 && (x <= 60 || x >= 70);
+        return upper || lower ? 255 : 126;
+    };
+    for (int z = 0; z < 150; ++z)
+        for (int x = 0; x < 200; ++x)
+            for (int k = 0; k < 3; ++k)
+                picture.rgba[4 * (200 * z + x) + k] = static_cast<std::uint8_t>(grey(x, z));
+    CHECK(refusal(picture).find("Assertion") == std::string::npos); // of OpenCV
+}
+
 TEST_CASE("photograph: EXIF turns it upright", "[app][photograph]")
 {
     app::Picture picture{64, 32, std::vector<std::uint8_t>(4 * 64 * 32, 255)};
