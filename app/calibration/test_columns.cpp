@@ -31,9 +31,9 @@ std::optional<TestColumn> column_of(const Csv& csv, const TestHead& wanted)
 {
     for (std::size_t c = 0; c < csv.head.size(); ++c) {
         const std::string& head = csv.head[c];
-        if (bare_name(head) != wanted.name) continue;
+        if (test_name(head) != wanted.name) continue;
         for (std::size_t other = c + 1; other < csv.head.size(); ++other)
-            if (bare_name(csv.head[other]) == wanted.name)
+            if (test_name(csv.head[other]) == wanted.name)
                 throw ConfigError(csv.path, 1, csv.head[other],
                                   "is a second column of " + in_quotes(wanted.name) +
                                       ", beside " + in_quotes(head) + "; keep one of them");
@@ -60,8 +60,9 @@ constexpr std::string_view kForceAt = "force at ", kEnergyOf = "energy of cycle 
 /// Nothing where the column is none of the path.
 std::optional<TestReading> reading_of(const std::string& head, double height)
 {
-    const std::string_view name = bare_name(head);
-    TestReading r{.name = std::string(name)};
+    const std::string lower = test_name(head);
+    const std::string_view name = lower;
+    TestReading r{.name = lower};
     if (name.starts_with(kForceAt)) {
         const std::string_view at = name.substr(kForceAt.size());
         r.displacement =
@@ -84,6 +85,8 @@ bool same_place(const TestReading& a, const TestReading& b)
 }
 
 } // namespace
+
+std::string test_name(std::string_view head) { return lower_case(bare_name(head)); }
 
 std::vector<TestReading> test_readings(const Csv& csv, double height)
 {

@@ -47,6 +47,9 @@ struct TestColumns {
     std::vector<TestColumn> reading_at; ///< of each
 };
 
+/// Name of a column without its unit, in small letters: "Stress [MPa]" is "stress".
+[[nodiscard]] std::string test_name(std::string_view head);
+
 /// Columns "force at 5 mm [kN]", "force at 0.5 % [kN]" (a drift) and "energy of cycle 3 [J]" or
 /// "[kJ]", in the order of the table.
 /// @param height of the load [m], > 0

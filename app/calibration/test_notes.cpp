@@ -51,8 +51,9 @@ std::string test_notes(const Csv& csv, double height, bool taught)
     const std::vector<TestReading> readings = test_readings(csv, height);
     std::string notes;
     for (const std::string& head : csv.head) {
-        const std::string_view name = bare_name(head);
-        const auto known = std::ranges::find(kTestHeads, name, &TestHead::name);
+        const std::string name = test_name(head);
+        const auto known =
+            std::ranges::find(kTestHeads, std::string_view(name), &TestHead::name);
         const bool reading = is_reading(name, readings);
         if (known == kTestHeads.end() && !reading)
             notes += note_at(csv, 1, in_quotes(head) + " is not read" + did_you_mean(name));

@@ -1,5 +1,6 @@
 #include "app/calibration/calibration_output.hpp"
 #include "app/calibration/calibration_pushes.hpp"
+#include "app/calibration/test_notes.hpp"
 #include "app/commands.hpp"
 #include "app/input/command_line.hpp"
 #include "app/input/study_reading.hpp"
@@ -374,6 +375,18 @@ TEST_CASE("calibration: columns of the path that cannot be read are refused",
         app::measured_tests(app::parse_csv("t.csv", "stress [MPa],force at 5 mm [kN]\n0.5,\n"),
                             1.0),
         Catch::Contains("t.csv:2: ") && Catch::Contains("nothing was measured in this row"));
+}
+
+TEST_CASE("calibration: heads of tests are known in any case", "[app][calibration]")
+{
+    const app::Csv csv = app::parse_csv(
+        "t.csv", "Stress [MPa],PEAK [kN],Force at 5 mm [kN],Remark\n0.5,20,10,a\n");
+    const auto tests = app::measured_tests(csv, 1.1);
+    REQUIRE(tests.size() == 1);
+    CHECK(tests[0].stress == 0.5e6);
+    CHECK(tests[0].peak == 20.0);
+    CHECK(tests[0].readings.at(0) == 10.0);
+    CHECK(app::test_notes(csv, 1.1, true) == "note: t.csv:1: \"Remark\" is not read\n");
 }
 
 TEST_CASE("calibration: a loop or a force that the push cannot show is told before it",
