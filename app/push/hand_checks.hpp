@@ -11,6 +11,8 @@
 
 namespace app {
 
+struct Study;
+
 struct HandChecks {
     double vertical_load = 0.0; ///< on the top, with the weight of the beam [N]
     double wall_weight = 0.0;   ///< of what can turn [N]
